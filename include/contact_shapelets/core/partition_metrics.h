@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+/// \file
+/// How well two partitions of the same items agree, and the names that this gives to clusters.
+
+namespace contact_shapelets {
+
+/// Agreement of a partition with the true classes.
+struct PartitionScores {
+  double rand_index = 0.0;           ///< [0, 1] part of the pairs that are grouped alike
+  double adjusted_rand_index = 0.0;  ///< 1 at best, 0 expected by chance
+  double normalised_mutual_information = 0.0;  ///< [0, 1], by the arithmetic mean of the entropies
+  double accuracy = 0.0;             ///< [0, 1] under the best assignment of clusters to classes
+};
+
+/// Compares `labels` with `classes`, both [N] with values of 0 or more.
+/// Partitions of fewer than two items agree wholly.
+/// \throws std::invalid_argument where sizes differ or a label is negative.
+PartitionScores ComparePartitions(const Eigen::Ref<const Eigen::VectorXi>& labels,
+                                  const Eigen::Ref<const Eigen::VectorXi>& classes);
+
+/// The assignment of rows to columns of `cost` [R, C] with the least sum (Hungarian method; Kuhn 1955, Munkres 1957).
+/// Returns for each row its column, -1 for rows left over where R > C.
+/// \throws std::invalid_argument where a cost is not finite.
+std::vector<int> LeastCostAssignment(const Eigen::Ref<const Eigen::MatrixXd>& cost);
+
+/// Names for `clusters` clusters from the outcomes that were given for some items.
+///
+/// `labels` [N] are the items' clusters, `outcomes` [N] what was said of each, empty where nothing was. Each outcome names
+/// at most one cluster, so that the number of items named right is largest; a cluster that shares no item with its outcome
+/// stays unnamed (empty string). Clusters that are left over take the outcome of most of their items, where more than half
+/// of the named ones agree.
+/// \throws std::invalid_argument where sizes differ or a label is out of range.
+std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& labels,
+                                      const std::vector<std::string>& outcomes, int clusters);
+
+}  // namespace contact_shapelets
