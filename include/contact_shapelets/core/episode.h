@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <string>
+
+/// \file
+/// One manipulation episode, as the learner and the classifier see it.
+
+namespace contact_shapelets {
+
+/// A point in time or a duration in nanoseconds; exact, unlike a double at today's date.
+using Nanoseconds = std::int64_t;
+
+/// How an episode ended; values as in Episode.msg.
+enum class EndReason : std::uint8_t {
+  kUnknown = 0,  ///< not said
+  kTrigger = 1,  ///< closed by its trigger, service or action
+  kContact = 2,  ///< the contact force fell below its threshold
+  kTimeout = 3,  ///< longer than the longest episode allowed
+  kStream = 4,   ///< the wrench stopped, or time jumped back
+};
+
+/// The magnitude of the contact force over one episode, tared and resampled.
+struct Episode {
+  std::string id;                              ///< unique within a recording
+  std::string frame_id;                        ///< the sensor's frame
+  Nanoseconds start = 0;                       ///< time of the first sample
+  double sample_period = 0.0;                  ///< [s], above 0
+  Eigen::VectorXf force;                       ///< [N], at least 0, one value each sample period
+  bool complete = true;                        ///< false while open, and where samples are known to be missing
+  EndReason end_reason = EndReason::kUnknown;  ///< how it ended
+  std::string outcome;                         ///< what really happened, where an operator said so
+
+  /// Duration in seconds.
+  double duration() const { return sample_period * static_cast<double>(force.size()); }
+};
+
+}  // namespace contact_shapelets

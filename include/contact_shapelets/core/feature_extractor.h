@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "contact_shapelets/core/model.h"
+#include "contact_shapelets/core/ncc.h"
+
+/// \file
+/// The similarity and t-SNE layers of the paper, for any number of shapelets of individual length and dilation.
+
+namespace contact_shapelets {
+
+/// How well each of K shapelets matched one series.
+struct ShapeletDistances {
+  Eigen::VectorXf distances;    ///< F [K], in [0, 2]: 1 - best normalised cross-correlation
+  Eigen::VectorXf memberships;  ///< q [K], equation 4, sum 1
+  Eigen::VectorXi match_start;  ///< [K] first sample of the matched window; -1 where no window counts
+  Eigen::VectorXi match_span;   ///< [K] samples from the window's first to behind its last
+};
+
+/// Membership of equation 4 with one degree of freedom: q_k = (1 + F_k)^-1 / sum (1 + F)^-1. `distances` are F [K].
+Eigen::VectorXf Memberships(const Eigen::Ref<const Eigen::VectorXf>& distances);
+
+/// Computes the distances of series to a fixed list of shapelets. Safe to use from several threads at the same time.
+class FeatureExtractor {
+ public:
+  /// Prepares `shapelets`; windows whose standard deviation is under `flat_fraction` [0, 1) of the series' never match.
+  /// \throws std::invalid_argument where there is no shapelet, or one has under 2 values or a dilation under 1.
+  FeatureExtractor(const std::vector<Shapelet>& shapelets, double flat_fraction);
+
+  /// F of one series [Q >= 2]. A series shorter than a shapelet is extended by its last value.
+  /// \throws std::invalid_argument where a value is not finite or Q < 2.
+  ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const;
+
+  /// Number of shapelets K.
+  int shapelet_count() const { return shapelet_count_; }
+
+ private:
+  /// Shapelets of equal length and dilation share the statistics of the windows.
+  struct Group {
+    int dilation;
+    std::vector<int> shapelets;
+    ShapeletSet set;
+  };
+
+  std::vector<Group> groups_;
+  int shapelet_count_;
+  double flat_fraction_;
+};
+
+/// The features that clusters are formed on: log(max(F, 0) + log_offset), of the same shape as `distances`.
+Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, double log_offset);
+
+}  // namespace contact_shapelets

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/episode.h"
+#include "contact_shapelets/core/learner.h"
+#include "contact_shapelets/core/model.h"
+
+/// \file
+/// From episodes to a model: shapelet banks, clusters, names and novelty limits. Used alike by the trainer node, the
+/// offline program and the evaluation.
+
+namespace contact_shapelets {
+
+/// Parameters of TrainModel().
+struct TrainerOptions {
+  int clusters = 3;               ///< C, at least 2
+  LearnerOptions learner;         ///< shapelet banks
+  int kmeans_restarts = 20;       ///< of the final clustering, at least 1
+  double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
+  double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
+  int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
+  std::uint64_t seed = 0;         ///< equal seeds give equal models
+
+  /// Every parameter that is out of range, one line each with its name and range; empty where all are well.
+  std::string Faults() const;
+};
+
+/// Progress of a training.
+struct TrainingProgress {
+  int candidate = 0;           ///< scale being trained, from 0
+  int step = 0;                ///< of that scale
+  double objective = 0.0;      ///< its value
+  double fraction_done = 0.0;  ///< [0, 1] of the whole
+};
+
+/// Called now and then from the training thread; returning false cancels the training.
+using ProgressCallback = std::function<bool(const TrainingProgress&)>;
+
+/// Thrown by TrainModel() where its callback cancelled it.
+class TrainingCancelled : public std::runtime_error {
+ public:
+  TrainingCancelled() : std::runtime_error("the training was cancelled") {}
+};
+
+/// A model and how the training episodes fell into its clusters.
+struct TrainingResult {
+  Model model;
+  Eigen::VectorXi labels;     ///< [N] cluster of each training episode
+  Eigen::MatrixXf distances;  ///< F [N, K]
+};
+
+/// Learns shapelets and clusters from `episodes`, without using their outcomes; then names clusters by outcomes where
+/// there are some. Episodes must share one sample period and may differ in length.
+/// \throws std::invalid_argument where options are out of range, there are fewer episodes than clusters, sample periods
+///   differ, a value is not finite, or all episodes are flat. \throws TrainingCancelled
+TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
+                          const ProgressCallback& progress = nullptr);
+
+}  // namespace contact_shapelets
