@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+
+/// \file
+/// Spreads independent work over threads.
+
+namespace contact_shapelets {
+
+/// As many threads as the machine runs at the same time, where `requested` is 0; else `requested`.
+int ThreadCount(int requested);
+
+/// Calls `work(index)` for every index in 0 ... count - 1, spread over `threads` threads. Calls must not depend on each
+/// other, so that the result is the same for any number of threads. The first exception thrown is thrown again here.
+void ParallelFor(int count, int threads, const std::function<void(int)>& work);
+
+}  // namespace contact_shapelets

@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# Builds the package in a workspace of its own and prints the path of that workspace's setup file.
+# CONTACT_SHAPELETS_WORKSPACE names another place than the one under ~/.cache.
+set -euo pipefail
+
+package=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+digest=$(printf '%s' "$package" | cksum | cut -d' ' -f1)
+workspace=${CONTACT_SHAPELETS_WORKSPACE:-${XDG_CACHE_HOME:-$HOME/.cache}/contact_shapelets/$digest}
+
+# Another Python in front of the system's has no catkin.
+export PATH=/usr/bin:$PATH
+if [ -f /opt/ros/noetic/setup.bash ]; then
+  set +u
+  . /opt/ros/noetic/setup.bash
+  set -u
+fi
+
+mkdir -p "$workspace/src"
+ln -sfn "$package" "$workspace/src/contact_shapelets"
+cd "$workspace"
+if ! catkin_make -j"$(nproc)" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$workspace/build.log" 2>&1; then
+  grep -E 'error|Error' -A5 "$workspace/build.log" | head -60 >&2
+  echo "The build failed; its whole output is in $workspace/build.log" >&2
+  exit 1
+fi
+echo "$workspace/devel/setup.bash"

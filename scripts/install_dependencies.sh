@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what the package needs: ROS 1 from Debian 12's own packages, or the rest beside ROS Noetic on Ubuntu 20.04.
+set -euo pipefail
+
+common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libcli11-dev libgtest-dev libbenchmark-dev
+  nlohmann-json3-dev python3-matplotlib)
+
+if [ -d /opt/ros/noetic ]; then
+  packages=("${common[@]}" ros-noetic-roscpp ros-noetic-rosbag ros-noetic-rosbag-storage ros-noetic-rostest
+    ros-noetic-roslaunch ros-noetic-rostopic ros-noetic-rosservice ros-noetic-actionlib ros-noetic-actionlib-msgs
+    ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater ros-noetic-geometry-msgs ros-noetic-std-msgs
+    ros-noetic-std-srvs ros-noetic-roslib ros-noetic-topic-tools ros-noetic-message-generation
+    ros-noetic-message-runtime)
+else
+  packages=("${common[@]}" catkin ros-message-generation ros-message-runtime libroscpp-dev librosbag-dev
+    librosbag-storage-dev libroslib-dev librosconsole-dev librostest-dev libtopic-tools-dev libactionlib-dev
+    libdiagnostic-updater-dev libdiagnostic-msgs-dev libactionlib-msgs-dev ros-actionlib-msgs ros-diagnostic-msgs
+    libgeometry-msgs-dev ros-geometry-msgs libstd-msgs-dev ros-std-msgs libstd-srvs-dev ros-std-srvs
+    libros-rosgraph-msgs-dev python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster python3-rosmsg
+    python3-rosnode python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic python3-rosunit
+    python3-topic-tools python3-catkin-pkg python3-empy rosbash rosout rospack-tools libmujoco-dev catkin-lint)
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+echo "Installing: ${missing[*]}" >&2
+as_root=()
+[ "$(id -u)" -eq 0 ] || as_root=(sudo)
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -1,0 +1,135 @@
+#include "core/bank_learner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_shapelets/core/objective.h"
+#include "contact_shapelets/core/parallel.h"
+#include "contact_shapelets/core/series.h"
+
+namespace contact_shapelets {
+namespace {
+
+/// What a match compares a shapelet with: the z-normalised window, shifted, zeros where it does not overlap.
+Eigen::VectorXd MatchedValues(const WindowSet& windows, const Match& match) {
+  const Eigen::VectorXd window = windows.NormalisedWindow(match.window).cast<double>();
+  const auto length = static_cast<int>(window.size());
+  const int overlap = length - std::abs(match.shift);
+  Eigen::VectorXd matched = Eigen::VectorXd::Zero(length);
+  if (match.shift >= 0) {
+    matched.head(overlap) = window.tail(overlap);
+  } else {
+    matched.tail(overlap) = window.head(overlap);
+  }
+  return matched;
+}
+
+double Distance(const Match& match) { return match.window < 0 ? 1.0 : 1.0 - static_cast<double>(match.similarity); }
+
+}  // namespace
+
+BankLearner::BankLearner(const std::vector<Eigen::VectorXf>& series, int typical_length,
+                         const Eigen::Ref<const Eigen::MatrixXf>& start, const LearnerOptions& options,
+                         std::uint64_t seed, int threads)
+    : series_(series),
+      typical_length_(typical_length),
+      options_(options),
+      threads_(threads),
+      random_(seed),
+      shapelets_(start.cast<double>()),
+      first_moment_(Eigen::MatrixXd::Zero(start.rows(), start.cols())),
+      second_moment_(Eigen::MatrixXd::Zero(start.rows(), start.cols())),
+      windows_(series.size()),
+      matches_(series.size()) {}
+
+double BankLearner::Step() {
+  const auto count = static_cast<int>(series_.size());
+  std::vector<int> chosen = random_.Sample(count, std::min(count, options_.batch));
+  std::sort(chosen.begin(), chosen.end());
+  Eigen::MatrixXd gradient;
+  objective_ = Evaluate(chosen, &gradient);
+  AdamStep(gradient);
+  return objective_;
+}
+
+double BankLearner::Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gradient) {
+  FindMatches(chosen);
+  Eigen::MatrixXd distances(chosen.size(), shapelets_.rows());
+  for (std::size_t row = 0; row < chosen.size(); ++row) {
+    for (Eigen::Index k = 0; k < shapelets_.rows(); ++k) {
+      distances(static_cast<Eigen::Index>(row), k) = Distance(matches_[chosen[row]][static_cast<std::size_t>(k)]);
+    }
+  }
+  const Eigen::MatrixXd membership = MembershipMatrix(distances);
+  const Term spectral = SpectralTerm(membership, BatchWeights(chosen));
+  const Term diversity = DiversityTerm(shapelets_, 0.5 * static_cast<double>(shapelets_.cols()));
+  const auto pairs = static_cast<double>(shapelets_.rows() * shapelets_.rows());
+  const double diversity_weight = options_.diversity / pairs;
+  *gradient = ShapeletGradient(chosen, DistanceGradient(distances, membership, spectral.gradient)) +
+              diversity_weight * diversity.gradient;
+  return spectral.value + diversity_weight * diversity.value;
+}
+
+void BankLearner::FindMatches(const std::vector<int>& chosen) {
+  const ShapeletSet set(shapelets_.cast<float>());
+  ParallelFor(static_cast<int>(chosen.size()), threads_, [&](int row) {
+    const int index = chosen[row];
+    if (!windows_[index]) {
+      const auto length = static_cast<int>(shapelets_.cols());
+      windows_[index] = std::make_unique<WindowSet>(ExtendedTo(series_[index], length), length, options_.flat_fraction);
+    }
+    const std::vector<Match> hints = matches_[index];
+    FindBestMatches(*windows_[index], set, hints, MatchOptions{}, &matches_[index]);
+  });
+}
+
+Eigen::MatrixXd BankLearner::BatchWeights(const std::vector<int>& chosen) const {
+  Eigen::MatrixXf stretched(chosen.size(), typical_length_);
+  for (std::size_t row = 0; row < chosen.size(); ++row) {
+    stretched.row(static_cast<Eigen::Index>(row)) = StretchedTo(series_[chosen[row]], typical_length_).transpose();
+  }
+  const Eigen::MatrixXd similarity = GaussianSimilarity(stretched);
+  return options_.objective == Objective::kPaper ? PaperWeights(similarity)
+                                                 : ContrastiveWeights(similarity, options_.repulsion);
+}
+
+Eigen::MatrixXd BankLearner::ShapeletGradient(const std::vector<int>& chosen,
+                                              const Eigen::Ref<const Eigen::MatrixXd>& distance_gradient) const {
+  // With s^z = (s - mean) / sigma and F = 1 - s^z x / M:
+  //   dF/ds = -(x - mean(x) - s^z (s^z x) / M) / (M sigma), linear in x, so that matches can be summed up first.
+  Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(shapelets_.rows(), shapelets_.cols());
+  const auto length = static_cast<double>(shapelets_.cols());
+  ParallelFor(static_cast<int>(shapelets_.rows()), threads_, [&](int k) {
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(shapelets_.cols());
+    for (std::size_t row = 0; row < chosen.size(); ++row) {
+      const Match& match = matches_[chosen[row]][static_cast<std::size_t>(k)];
+      if (match.window < 0) continue;
+      pull += distance_gradient(static_cast<Eigen::Index>(row), k) * MatchedValues(*windows_[chosen[row]], match);
+    }
+    Eigen::VectorXd normalised = shapelets_.row(k).transpose();
+    normalised.array() -= normalised.mean();
+    const double deviation = std::sqrt(normalised.squaredNorm() / length);
+    if (deviation < 1e-9) return;
+    normalised /= deviation;
+    const double along = normalised.dot(pull) / length;
+    gradient.row(k) =
+        (-(pull.array() - pull.mean() - normalised.array() * along) / (length * deviation)).matrix().transpose();
+  });
+  return gradient;
+}
+
+void BankLearner::AdamStep(const Eigen::Ref<const Eigen::MatrixXd>& gradient) {
+  constexpr double kFirstDecay = 0.9;
+  constexpr double kSecondDecay = 0.999;
+  ++step_;
+  first_moment_ = kFirstDecay * first_moment_ + (1.0 - kFirstDecay) * gradient;
+  second_moment_ = kSecondDecay * second_moment_ + (1.0 - kSecondDecay) * gradient.cwiseAbs2();
+  const double first_scale = 1.0 / (1.0 - std::pow(kFirstDecay, step_));
+  const double second_scale = 1.0 / (1.0 - std::pow(kSecondDecay, step_));
+  shapelets_.array() -= options_.learning_rate * first_scale * first_moment_.array() /
+                        ((second_scale * second_moment_.array()).sqrt() + 1e-8);
+  // A proximal step reaches exact zeros, where a sub-gradient would only hover around them.
+  if (options_.sparsity > 0.0) ShrinkToZero(options_.learning_rate * options_.sparsity, shapelets_);
+}
+
+}  // namespace contact_shapelets

@@ -1,0 +1,65 @@
+#include "contact_shapelets/core/classifier.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "contact_shapelets/core/series.h"
+
+namespace contact_shapelets {
+namespace {
+
+Model Checked(Model model) {
+  const std::string faults = model.Faults();
+  if (!faults.empty()) throw std::invalid_argument("the model cannot be used: " + faults);
+  return model;
+}
+
+/// Share of the nearest cluster where each has the weight 1 / distance^2, as in fuzzy c-means (Bezdek 1981).
+float NearestShare(const Eigen::Ref<const Eigen::VectorXf>& distances, Eigen::Index nearest) {
+  const float least = std::max(distances[nearest], 1e-6F);
+  return 1.0F / (least / distances.array().max(1e-6F)).square().sum();
+}
+
+}  // namespace
+
+Classifier::Classifier(Model model)
+    : model_(Checked(std::move(model))), extractor_(model_.shapelets, model_.flat_fraction) {}
+
+Classification Classifier::Classify(const Episode& episode) const {
+  const double ratio = episode.sample_period / model_.sample_period;
+  Classification result;
+  if (std::abs(ratio - 1.0) < 1e-6 || !(ratio > 0.0)) {
+    result.features = extractor_.Compute(episode.force);
+  } else {
+    const int length = std::max(2, static_cast<int>(std::lround(ratio * static_cast<double>(episode.force.size()))));
+    result.features = extractor_.Compute(StretchedTo(episode.force, length));
+  }
+
+  const Eigen::VectorXf features = LogFeatures(result.features.distances, model_.log_offset);
+  Eigen::VectorXf distances(model_.clusters.size());
+  for (Eigen::Index index = 0; index < distances.size(); ++index) {
+    distances[index] = (model_.clusters[static_cast<std::size_t>(index)].centroid - features).norm();
+  }
+  Eigen::Index nearest = 0;
+  const float least = distances.minCoeff(&nearest);
+  Diagnosis& diagnosis = result.diagnosis;
+  diagnosis.nearest_cluster = static_cast<int>(nearest);
+  diagnosis.novelty = least / model_.clusters[static_cast<std::size_t>(nearest)].novelty_limit;
+  diagnosis.cluster = diagnosis.novelty > 1.0F ? -1 : diagnosis.nearest_cluster;
+  diagnosis.event = model_.EventOf(diagnosis.cluster);
+  diagnosis.confidence = NearestShare(distances, nearest);
+  return result;
+}
+
+void Classifier::NameCluster(int cluster, const std::string& label) {
+  if (cluster < 0 || cluster >= static_cast<int>(model_.clusters.size())) {
+    throw std::invalid_argument("there is no cluster " + std::to_string(cluster) + ": the model has clusters 0 to " +
+                                std::to_string(model_.clusters.size() - 1));
+  }
+  if (label.empty()) throw std::invalid_argument("the label of cluster " + std::to_string(cluster) + " is empty");
+  model_.clusters[static_cast<std::size_t>(cluster)].label = label;
+}
+
+}  // namespace contact_shapelets

@@ -1,0 +1,77 @@
+#include "contact_shapelets/core/feature_extractor.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "contact_shapelets/core/series.h"
+
+namespace contact_shapelets {
+namespace {
+
+int Reach(int length, int dilation) { return (length - 1) * dilation + 1; }
+
+ShapeletSet SetOf(const std::vector<Shapelet>& shapelets, const std::vector<int>& members) {
+  Eigen::MatrixXf rows(members.size(), shapelets[static_cast<std::size_t>(members.front())].values.size());
+  for (std::size_t row = 0; row < members.size(); ++row) {
+    rows.row(static_cast<Eigen::Index>(row)) = shapelets[static_cast<std::size_t>(members[row])].values.transpose();
+  }
+  return ShapeletSet(rows);
+}
+
+}  // namespace
+
+Eigen::VectorXf Memberships(const Eigen::Ref<const Eigen::VectorXf>& distances) {
+  const Eigen::VectorXf kernel = (1.0F + distances.array()).inverse().matrix();
+  return kernel / kernel.sum();
+}
+
+FeatureExtractor::FeatureExtractor(const std::vector<Shapelet>& shapelets, double flat_fraction)
+    : shapelet_count_(static_cast<int>(shapelets.size())), flat_fraction_(flat_fraction) {
+  if (shapelets.empty()) throw std::invalid_argument("there is no shapelet");
+  std::map<std::pair<int, int>, std::vector<int>> members;
+  for (int index = 0; index < shapelet_count_; ++index) {
+    const Shapelet& shapelet = shapelets[static_cast<std::size_t>(index)];
+    if (shapelet.values.size() < 2) throw std::invalid_argument("a shapelet has fewer than 2 values");
+    if (shapelet.dilation < 1) throw std::invalid_argument("a shapelet has a dilation below 1");
+    members[{shapelet.dilation, static_cast<int>(shapelet.values.size())}].push_back(index);
+  }
+  for (const auto& [key, indices] : members) groups_.push_back({key.first, indices, SetOf(shapelets, indices)});
+}
+
+ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const {
+  if (series.size() < 2) throw std::invalid_argument("the series has fewer than 2 samples");
+  if (!series.allFinite()) throw std::invalid_argument("the series holds a value that is not finite");
+  ShapeletDistances result;
+  result.distances = Eigen::VectorXf::Ones(shapelet_count_);
+  result.match_start = Eigen::VectorXi::Constant(shapelet_count_, -1);
+  result.match_span = Eigen::VectorXi::Zero(shapelet_count_);
+  const double flat_deviation = flat_fraction_ * StandardDeviation(series);
+  std::vector<Match> matches;
+  for (const Group& group : groups_) {
+    const int reach = Reach(group.set.length(), group.dilation);
+    const Eigen::VectorXf extended = ExtendedTo(series, reach);
+    for (int phase = 0; phase < group.dilation && phase + reach <= extended.size(); ++phase) {
+      const WindowSet windows(EveryNth(extended, phase, group.dilation), group.set.length(), flat_deviation);
+      FindBestMatches(windows, group.set, {}, MatchOptions{}, &matches);
+      for (std::size_t member = 0; member < matches.size(); ++member) {
+        const int index = group.shapelets[member];
+        const float distance = 1.0F - matches[member].similarity;
+        const bool first = result.match_start[index] < 0;
+        if (matches[member].window < 0 || (!first && distance >= result.distances[index])) continue;
+        result.distances[index] = distance;
+        result.match_start[index] = phase + matches[member].window * group.dilation;
+        result.match_span[index] = reach;
+      }
+    }
+  }
+  result.memberships = Memberships(result.distances);
+  return result;
+}
+
+Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, double log_offset) {
+  return (distances.array().max(0.0F) + static_cast<float>(log_offset)).log().matrix();
+}
+
+}  // namespace contact_shapelets

@@ -1,0 +1,163 @@
+#include "contact_shapelets/core/trainer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "contact_shapelets/core/feature_extractor.h"
+#include "contact_shapelets/core/kmeans.h"
+#include "contact_shapelets/core/parallel.h"
+#include "contact_shapelets/core/partition_metrics.h"
+#include "contact_shapelets/core/series.h"
+
+namespace contact_shapelets {
+namespace {
+
+void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
+  if (episodes.size() < static_cast<std::size_t>(clusters)) {
+    throw std::invalid_argument("there are fewer episodes (" + std::to_string(episodes.size()) + ") than clusters (" +
+                                std::to_string(clusters) + ")");
+  }
+  bool all_flat = true;
+  for (const Episode& episode : episodes) {
+    if (episode.force.size() < 2) throw std::invalid_argument("episode " + episode.id + " has fewer than 2 samples");
+    if (!episode.force.allFinite()) {
+      throw std::invalid_argument("episode " + episode.id + " holds a value that is not finite");
+    }
+    if (std::abs(episode.sample_period - episodes.front().sample_period) > 1e-9) {
+      throw std::invalid_argument("episode " + episode.id + " has another sample period than the first one");
+    }
+    all_flat = all_flat && ZNormalised(episode.force).isZero();
+  }
+  if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
+}
+
+/// Distances F [N, K] of all episodes, one at a time per thread.
+Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const FeatureExtractor& extractor, int threads) {
+  Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
+  ParallelFor(static_cast<int>(series.size()), threads, [&](int index) {
+    distances.row(index) = extractor.Compute(series[static_cast<std::size_t>(index)]).distances.transpose();
+  });
+  return distances;
+}
+
+float NoveltyLimit(std::vector<float> distances, double quantile, double margin) {
+  std::sort(distances.begin(), distances.end());
+  const auto last = static_cast<double>(distances.size() - 1);
+  const float covered = distances[static_cast<std::size_t>(std::lround(quantile * last))];
+  return std::max(static_cast<float>(margin) * covered, 1e-3F);
+}
+
+std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& features, const KMeansResult& partition,
+                                  const TrainerOptions& options) {
+  std::vector<Cluster> clusters;
+  for (Eigen::Index index = 0; index < partition.centroids.rows(); ++index) {
+    std::vector<float> distances;
+    for (Eigen::Index row = 0; row < features.rows(); ++row) {
+      if (partition.labels[row] == index) {
+        distances.push_back((features.row(row) - partition.centroids.row(index)).norm());
+      }
+    }
+    Cluster cluster;
+    cluster.centroid = partition.centroids.row(index).transpose();
+    cluster.size = static_cast<int>(distances.size());
+    cluster.novelty_limit = NoveltyLimit(distances, options.novelty_quantile, options.novelty_margin);
+    clusters.push_back(std::move(cluster));
+  }
+  return clusters;
+}
+
+/// A name that tells models apart: a digest (FNV-1a) of what the classifier uses.
+std::string ModelDigest(const Model& model) {
+  std::uint64_t digest = 14695981039346656037ULL;
+  const auto add = [&digest](const Eigen::VectorXf& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    for (std::size_t index = 0; index < static_cast<std::size_t>(values.size()) * sizeof(float); ++index) {
+      digest = (digest ^ bytes[index]) * 1099511628211ULL;
+    }
+  };
+  for (const Shapelet& shapelet : model.shapelets) add(shapelet.values);
+  for (const Cluster& cluster : model.clusters) add(cluster.centroid);
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << digest;
+  return text.str();
+}
+
+std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options,
+                                                 const ProgressCallback& progress) {
+  bool cancelled = false;
+  const double total = static_cast<double>(options.learner.scales.size()) * std::max(1, options.learner.steps);
+  const auto on_step = [&](int bank, int step, double objective) {
+    if (!progress) return true;
+    const double done = (static_cast<double>(bank) * options.learner.steps + step + 1) / total;
+    cancelled = !progress({bank, step, objective, 0.95 * done});
+    return !cancelled;
+  };
+  std::vector<ShapeletBank> banks =
+      LearnBanks(series, options.clusters, options.learner, options.seed, ThreadCount(options.threads), on_step);
+  if (cancelled) throw TrainingCancelled();
+  if (banks.empty()) {
+    throw std::invalid_argument("too few windows that are not flat: more or longer episodes are needed");
+  }
+  return banks;
+}
+
+}  // namespace
+
+std::string TrainerOptions::Faults() const {
+  std::ostringstream faults;
+  const auto require = [&faults](bool well, const char* name, const char* range, double value) {
+    if (!well) faults << name << " must be " << range << ", but is " << value << '\n';
+  };
+  require(clusters >= 2, "clusters", "at least 2", clusters);
+  require(kmeans_restarts >= 1, "kmeans_restarts", "at least 1", kmeans_restarts);
+  require(novelty_quantile > 0.0 && novelty_quantile <= 1.0, "novelty_quantile", "in (0, 1]", novelty_quantile);
+  require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
+  require(threads >= 0, "threads", "at least 0", threads);
+  return faults.str() + learner.Faults();
+}
+
+TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
+                          const ProgressCallback& progress) {
+  const std::string faults = options.Faults();
+  if (!faults.empty()) throw std::invalid_argument(faults);
+  CheckEpisodes(episodes, options.clusters);
+  std::vector<Eigen::VectorXf> series;
+  std::vector<std::string> outcomes;
+  for (const Episode& episode : episodes) {
+    series.push_back(episode.force);
+    outcomes.push_back(episode.outcome);
+  }
+
+  TrainingResult result;
+  Model& model = result.model;
+  const std::vector<ShapeletBank> banks = LearnBanksWithProgress(series, options, progress);
+  model.shapelets = CutShapelets(banks, options.learner.shortest);
+  model.sample_period = episodes.front().sample_period;
+  model.flat_fraction = options.learner.flat_fraction;
+  const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
+  result.distances = AllDistances(series, extractor, ThreadCount(options.threads));
+
+  const Eigen::MatrixXf features = LogFeatures(result.distances, model.log_offset);
+  KMeansOptions kmeans;
+  kmeans.clusters = options.clusters;
+  kmeans.restarts = options.kmeans_restarts;
+  kmeans.seed = options.seed;
+  const KMeansResult partition = KMeans(features, kmeans);
+  result.labels = partition.labels;
+  model.clusters = FormClusters(features, partition, options);
+  const std::vector<std::string> names = NameClusters(partition.labels, outcomes, options.clusters);
+  for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];
+
+  model.id = ModelDigest(model);
+  model.provenance.objective = options.learner.objective == Objective::kPaper ? "paper" : "contrastive";
+  for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
+  model.provenance.seed = options.seed;
+  model.provenance.training_episodes = static_cast<int>(episodes.size());
+  model.provenance.typical_duration = MedianLength(series) * model.sample_period;
+  if (progress) progress({static_cast<int>(banks.size()), 0, banks.back().objective, 1.0});
+  return result;
+}
+
+}  // namespace contact_shapelets
