@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/episode.h"
+
+/// \file
+/// The health of a wrench stream: rate, jitter, gaps, repeated and frozen samples, values that are not finite.
+
+namespace contact_shapelets {
+
+/// What StreamMonitor counted.
+struct StreamSummary {
+  int samples = 0;               ///< finite samples in order
+  int not_finite = 0;            ///< dropped: NaN or infinite
+  int out_of_order = 0;          ///< dropped: not after the sample before
+  int zero_stamps = 0;           ///< without a stamp
+  int backward_stamps = 0;       ///< stamp before the last one's
+  int jumps_back = 0;            ///< time began anew
+  int repeated = 0;              ///< same force as the sample before, to the last bit
+  int gaps = 0;                  ///< intervals above three times the mean and above 20 ms
+  double duration = 0.0;         ///< [s] first to last sample
+  double rate = 0.0;             ///< [Hz] mean; 0 with fewer than 2 samples
+  double jitter = 0.0;           ///< [s] standard deviation of the intervals
+  double longest_interval = 0.0; ///< [s]
+  double longest_frozen = 0.0;   ///< [s] longest run of one repeated value
+  double clock_offset = 0.0;     ///< [s] arrival less stamp
+  double least_force = 0.0;      ///< [N] smallest magnitude
+  double greatest_force = 0.0;   ///< [N] largest magnitude
+};
+
+/// Watches a wrench stream, sample by sample, without allocating.
+class StreamMonitor {
+ public:
+  /// Counts a finite sample at `time` with this `force` [N]; times only go forward.
+  void AddSample(Nanoseconds time, const Eigen::Vector3d& force);
+  /// Counts a sample that was dropped since it held NaN or infinity.
+  void AddNotFinite() { ++summary_.not_finite; }
+  /// Counts a sample that was dropped since it was out of order.
+  void AddOutOfOrder() { ++summary_.out_of_order; }
+  /// Time began anew: intervals start afresh.
+  void JumpBack();
+  /// Takes over what the sample clock knows of stamps; `clock_offset` in seconds.
+  void SetStamps(int zero_stamps, int backward_stamps, double clock_offset);
+
+  /// What was counted so far.
+  StreamSummary Summary() const;
+
+ private:
+  StreamSummary summary_;
+  bool has_last_ = false;
+  Nanoseconds last_time_ = 0;
+  Nanoseconds run_start_ = 0;
+  Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
+  int intervals_ = 0;
+  double mean_interval_ = 0.0;
+  double squared_deviations_ = 0.0;
+};
+
+/// Plain sentences on what is wrong with a stream; empty where nothing is. The first is the gravest.
+std::vector<std::string> Findings(const StreamSummary& summary);
+
+}  // namespace contact_shapelets

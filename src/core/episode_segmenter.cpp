@@ -1,0 +1,218 @@
+#include "contact_shapelets/core/episode_segmenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+#include "contact_shapelets/core/resampler.h"
+
+namespace contact_shapelets {
+namespace {
+
+constexpr double kGreatestRate = 2000.0;
+
+Nanoseconds FromSeconds(double seconds) { return static_cast<Nanoseconds>(std::llround(seconds * 1e9)); }
+
+std::size_t BufferCapacity(const SegmentationOptions& options) {
+  const double before = std::max(options.tare_duration, options.pre_trigger + options.contact_hold_on);
+  return static_cast<std::size_t>((options.max_duration + before + options.stream_timeout + 1.0) * kGreatestRate);
+}
+
+SegmentationOptions Checked(const SegmentationOptions& options) {
+  const std::string faults = options.Faults();
+  if (!faults.empty()) throw std::invalid_argument(faults);
+  return options;
+}
+
+/// The time of an episode's start names it within a recording, the same in a replay.
+std::string NameByTime(Nanoseconds time) {
+  char text[40];
+  std::snprintf(text, sizeof(text), "%lld.%03lld", static_cast<long long>(time / 1'000'000'000),
+                static_cast<long long>(time / 1'000'000 % 1000));
+  return text;
+}
+
+}  // namespace
+
+void EpisodeSegmenter::Buffer::Add(const WrenchSample& sample) {
+  if (size_ < samples_.size()) {
+    samples_[(first_ + size_) % samples_.size()] = sample;
+    ++size_;
+  } else {
+    samples_[first_] = sample;
+    first_ = (first_ + 1) % samples_.size();
+  }
+}
+
+std::vector<WrenchSample> EpisodeSegmenter::Buffer::Between(Nanoseconds begin, Nanoseconds end) const {
+  std::size_t low = size_;
+  while (low > 0 && (*this)[low - 1].time >= begin) --low;
+  std::vector<WrenchSample> between;
+  for (; low < size_ && (*this)[low].time <= end; ++low) between.push_back((*this)[low]);
+  return between;
+}
+
+EpisodeSegmenter::EpisodeSegmenter(const SegmentationOptions& options)
+    : options_(Checked(options)), contact_(options_), buffer_(BufferCapacity(options_)) {}
+
+void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
+  // A stream that paused for long ends the episode before its next sample counts.
+  AdvanceTo(std::max(now, sample.time));
+  buffer_.Add(sample);
+  last_arrival_ = now;
+  if (options_.segmentation == Segmentation::kContact) {
+    const std::optional<ContactDetector::Change> change = contact_.AddSample(sample);
+    if (change && change->contact && !IsOpen()) Open({true, change->time, EdgeSource::kContact, ""});
+    if (change && !change->contact) Close(change->time, EndReason::kContact, now);
+  }
+  if (IsOpen() && sample.time - intervals_.back().open >= FromSeconds(options_.max_duration)) {
+    Close(intervals_.back().open + FromSeconds(options_.max_duration), EndReason::kTimeout, now);
+  }
+  FinishReady(now);
+}
+
+void EpisodeSegmenter::AddEdge(const EpisodeEdge& edge, Nanoseconds now) {
+  const bool command = edge.source == EdgeSource::kCommand;
+  if (options_.segmentation == Segmentation::kContact && !command) return;
+  if (edge.source == EdgeSource::kPlain && stamped_seen_) return;
+  if (edge.source == EdgeSource::kStamped) {
+    stamped_seen_ = true;
+    const bool replaces = edge.open && IsOpen() && intervals_.back().opened_plain &&
+                          std::abs(edge.time - intervals_.back().open) <= FromSeconds(options_.edge_match_window);
+    if (replaces) {
+      intervals_.back().open = edge.time;
+      intervals_.back().opened_plain = false;
+    }
+  }
+  if (edge.open && !IsOpen()) Open(edge);
+  if (!edge.open) Close(edge.time, EndReason::kTrigger, now);
+  FinishReady(now);
+}
+
+void EpisodeSegmenter::AdvanceTo(Nanoseconds now) {
+  if (IsOpen() && !buffer_.empty() && last_arrival_ > 0 &&
+      now - std::max(last_arrival_, intervals_.back().open) > FromSeconds(options_.stream_timeout)) {
+    Close(std::max(buffer_.back().time, intervals_.back().open), EndReason::kStream, now);
+  }
+  FinishReady(now);
+}
+
+void EpisodeSegmenter::Restart() {
+  Finish();
+  buffer_.Clear();
+  contact_ = ContactDetector(options_);
+  stamped_seen_ = false;
+  last_arrival_ = 0;
+}
+
+void EpisodeSegmenter::Finish() {
+  if (IsOpen()) {
+    const Nanoseconds last = buffer_.empty() ? intervals_.back().open : buffer_.back().time;
+    Close(std::max(last, intervals_.back().open), EndReason::kStream, last);
+  }
+  for (const Interval& interval : intervals_) Emit(interval);
+  intervals_.clear();
+}
+
+Eigen::Vector3d EpisodeSegmenter::TareNow() {
+  if (buffer_.empty()) throw std::runtime_error("no wrench has arrived yet: there is nothing to tare");
+  const Nanoseconds end = buffer_.back().time;
+  service_tare_ = MeanForce(buffer_.Between(end - FromSeconds(options_.tare_duration), end),
+                            end - FromSeconds(options_.tare_duration), end);
+  return service_tare_;
+}
+
+std::optional<Episode> EpisodeSegmenter::OpenEpisode() const {
+  if (!IsOpen() || buffer_.empty()) return std::nullopt;
+  Interval so_far = intervals_.back();
+  so_far.close = buffer_.back().time;
+  if (so_far.close - so_far.open < FromSeconds(options_.min_duration)) return std::nullopt;
+  const std::vector<WrenchSample> samples = buffer_.Between(so_far.open, so_far.close);
+  if (samples.empty()) return std::nullopt;
+  Episode episode = Cut(so_far, samples);
+  episode.complete = false;
+  return episode;
+}
+
+std::vector<Episode> EpisodeSegmenter::TakeEpisodes() { return std::exchange(episodes_, {}); }
+
+std::vector<EpisodeEdge> EpisodeSegmenter::TakeEdges() { return std::exchange(edges_, {}); }
+
+void EpisodeSegmenter::Open(const EpisodeEdge& edge) {
+  Interval interval;
+  interval.id = edge.id.empty() ? NameByTime(edge.time) : edge.id;
+  interval.open = edge.time;
+  interval.opened_plain = edge.source == EdgeSource::kPlain;
+  intervals_.push_back(interval);
+  edges_.push_back({true, edge.time, edge.source, interval.id});
+}
+
+void EpisodeSegmenter::Close(Nanoseconds time, EndReason reason, Nanoseconds now) {
+  if (!IsOpen()) return;
+  Interval& interval = intervals_.back();
+  interval.closed = true;
+  interval.close = std::max(time, interval.open);
+  interval.deadline = now + FromSeconds(options_.edge_wait);
+  interval.reason = reason;
+  const EdgeSource source = reason == EndReason::kContact ? EdgeSource::kContact : EdgeSource::kCommand;
+  edges_.push_back({false, interval.close, source, interval.id});
+  if (reason == EndReason::kTimeout || reason == EndReason::kStream || reason == EndReason::kTrigger) {
+    contact_.EndContact();
+  }
+}
+
+void EpisodeSegmenter::FinishReady(Nanoseconds now) {
+  while (!intervals_.empty() && intervals_.front().closed) {
+    const Interval& interval = intervals_.front();
+    const bool all_there = !buffer_.empty() && buffer_.back().time >= interval.close;
+    if (!all_there && now < interval.deadline) return;
+    Emit(interval);
+    intervals_.pop_front();
+  }
+}
+
+void EpisodeSegmenter::Emit(const Interval& interval) {
+  const std::vector<WrenchSample> samples = buffer_.Between(interval.open, interval.close);
+  if (samples.empty() || interval.close - interval.open < FromSeconds(options_.min_duration)) {
+    ++dropped_episodes_;
+    return;
+  }
+  episodes_.push_back(Cut(interval, samples));
+}
+
+Eigen::Vector3d EpisodeSegmenter::TareOf(const Interval& interval, const std::vector<WrenchSample>& samples) const {
+  if (options_.tare == TareSource::kService) return service_tare_;
+  const Nanoseconds duration = FromSeconds(options_.tare_duration);
+  if (options_.tare == TareSource::kFreeAir) {
+    const std::vector<WrenchSample> before = buffer_.Between(interval.open - duration, interval.open);
+    if (!before.empty()) return MeanForce(before, interval.open - duration, interval.open);
+  }
+  return MeanForce(samples, samples.front().time, samples.front().time + duration);
+}
+
+Episode EpisodeSegmenter::Cut(const Interval& interval, const std::vector<WrenchSample>& samples) const {
+  Episode episode;
+  episode.id = interval.id;
+  episode.frame_id = frame_id_;
+  episode.start = interval.open;
+  episode.sample_period = options_.sample_period;
+  episode.force = ResampledMagnitude(samples, interval.open, interval.close, options_.sample_period,
+                                     TareOf(interval, samples));
+  episode.complete = interval.reason != EndReason::kStream && !HasGap(interval, samples);
+  episode.end_reason = interval.reason;
+  return episode;
+}
+
+bool EpisodeSegmenter::HasGap(const Interval& interval, const std::vector<WrenchSample>& samples) const {
+  const Nanoseconds longest = FromSeconds(options_.max_gap);
+  Nanoseconds last = interval.open;
+  for (const WrenchSample& sample : samples) {
+    if (sample.time - last > longest) return true;
+    last = sample.time;
+  }
+  return interval.close - last > longest;
+}
+
+}  // namespace contact_shapelets
