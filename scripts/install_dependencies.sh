@@ -2,7 +2,7 @@
 # Installs what the package needs: ROS 1 from Debian 12's own packages, or the rest beside ROS Noetic on Ubuntu 20.04.
 set -euo pipefail
 
-common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libcli11-dev libgtest-dev libbenchmark-dev
+common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libcli11-dev libgtest-dev libyaml-cpp-dev libbenchmark-dev
   nlohmann-json3-dev python3-matplotlib)
 
 if [ -d /opt/ros/noetic ]; then

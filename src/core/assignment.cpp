@@ -4,7 +4,7 @@
 
 #include "contact_shapelets/core/partition_metrics.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// Shortest augmenting paths with potentials (Kuhn-Munkres in O(R^2 C)), for R <= C.
@@ -71,4 +71,4 @@ std::vector<int> LeastCostAssignment(const Eigen::Ref<const Eigen::MatrixXd>& co
   return assigned;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// What a match compares a shapelet with: the z-normalised window, shifted, zeros where it does not overlap.
@@ -132,4 +132,4 @@ void BankLearner::AdamStep(const Eigen::Ref<const Eigen::MatrixXd>& gradient) {
   if (options_.sparsity > 0.0) ShrinkToZero(options_.learning_rate * options_.sparsity, shapelets_);
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -9,7 +9,7 @@
 #include "contact_shapelets/core/ncc.h"
 #include "contact_shapelets/core/random.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Learns the shapelets of one bank: stochastic gradient steps of Adam on the objective of the paper (equation 6).
 ///
@@ -58,4 +58,4 @@ class BankLearner {
   std::vector<std::vector<Match>> matches_;           ///< of each series at the last step that it took part in
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 Model Checked(Model model) {
@@ -62,4 +62,4 @@ void Classifier::NameCluster(int cluster, const std::string& label) {
   model_.clusters[static_cast<std::size_t>(cluster)].label = label;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 Nanoseconds FromSeconds(double seconds) { return static_cast<Nanoseconds>(seconds * 1e9); }
@@ -42,4 +42,4 @@ void ContactDetector::EndContact() {
   baseline_ = last_force_;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -8,7 +8,7 @@
 
 #include "contact_shapelets/core/resampler.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 constexpr double kGreatestRate = 2000.0;
@@ -215,4 +215,4 @@ bool EpisodeSegmenter::HasGap(const Interval& interval, const std::vector<Wrench
   return interval.close - last > longest;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 int Reach(int length, int dilation) { return (length - 1) * dilation + 1; }
@@ -74,4 +74,4 @@ Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, 
   return (distances.array().max(0.0F) + static_cast<float>(log_offset)).log().matrix();
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

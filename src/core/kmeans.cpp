@@ -7,7 +7,7 @@
 
 #include "contact_shapelets/core/random.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -138,4 +138,4 @@ Eigen::VectorXi NearestCentroids(const Eigen::Ref<const Eigen::MatrixXf>& centro
   return labels;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

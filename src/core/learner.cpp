@@ -9,7 +9,7 @@
 #include "contact_shapelets/core/shapelet_start.h"
 #include "core/bank_learner.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 constexpr double kZero = 1e-9;
@@ -111,4 +111,4 @@ std::vector<Shapelet> CutShapelets(const std::vector<ShapeletBank>& banks, int s
   return cut;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

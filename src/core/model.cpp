@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 void CheckShapelets(const Model& model, std::ostream& faults) {
@@ -47,4 +47,4 @@ std::string Model::Faults() const {
   return faults.str();
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -3,7 +3,7 @@
 
 #include "contact_shapelets/core/ncc.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// CC_w of equation 2, summed up term by term.
@@ -40,4 +40,4 @@ std::vector<Match> BestMatchesByDefinition(const WindowSet& windows, const Shape
   return matches;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

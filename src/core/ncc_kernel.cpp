@@ -5,7 +5,7 @@
 
 #include "contact_shapelets/core/ncc.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// CC_w of one window in double precision.
@@ -94,4 +94,4 @@ void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, con
 
 const char* KernelInstructionSet() { return "portable"; }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -6,7 +6,7 @@
 #include "contact_shapelets/core/ncc.h"
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 WindowSet::WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation)
     : length_(length), series_(series) {
@@ -57,4 +57,4 @@ ShapeletSet::ShapeletSet(const Eigen::Ref<const Eigen::MatrixXf>& shapelets)
   }
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

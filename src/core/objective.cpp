@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 Eigen::MatrixXd MembershipMatrix(const Eigen::Ref<const Eigen::MatrixXd>& distances) {
   Eigen::MatrixXd membership = (1.0 + distances.array()).inverse().matrix();
@@ -89,4 +89,4 @@ void ShrinkToZero(double amount, Eigen::Ref<Eigen::MatrixXd> shapelets) {
   });
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 int ThreadCount(int requested) {
   if (requested > 0) return requested;
@@ -36,4 +36,4 @@ void ParallelFor(int count, int threads, const std::function<void(int)>& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

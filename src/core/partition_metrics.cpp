@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// Number of items in each cluster (rows) and class (columns).
@@ -95,4 +95,4 @@ std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& l
   return named;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 double Random::Normal() {
   constexpr double kTwoPi = 6.283185307179586;
@@ -22,4 +22,4 @@ std::vector<int> Random::Sample(int count, int chosen) {
   return indices;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 /// Walks along the interpolant and integrates it exactly; positions only go forward.
@@ -73,4 +73,4 @@ Eigen::VectorXf ResampledMagnitude(const std::vector<WrenchSample>& samples, Nan
   return magnitude;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

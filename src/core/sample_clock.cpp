@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 constexpr Nanoseconds kHalfSecond = 500'000'000;
@@ -46,4 +46,4 @@ void SampleClock::Restart(Nanoseconds stamp, Nanoseconds arrival) {
   last_time_ = stamp == 0 ? arrival : stamp;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 std::string SegmentationOptions::Faults() const {
   std::ostringstream faults;
@@ -28,4 +28,4 @@ std::string SegmentationOptions::Faults() const {
   return faults.str();
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

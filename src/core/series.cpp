@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 double StandardDeviation(const Eigen::Ref<const Eigen::VectorXf>& series) {
   const Eigen::ArrayXd values = series.cast<double>().array();
@@ -59,4 +59,4 @@ int MedianLength(const std::vector<Eigen::VectorXf>& series) {
   return *middle;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 #include "contact_shapelets/core/random.h"
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 struct WindowPlace {
@@ -54,4 +54,4 @@ Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int l
   return KMeans(windows.topRows(taken), options).centroids;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

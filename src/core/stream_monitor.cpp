@@ -5,7 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 constexpr double kGapSeconds = 0.02;
@@ -101,4 +101,4 @@ std::vector<std::string> Findings(const StreamSummary& summary) {
   return findings;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -11,7 +11,7 @@
 #include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/core/series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
@@ -160,4 +160,4 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   return result;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -8,7 +8,7 @@
 #include "core/bank_learner.h"
 #include "core/planted_series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 std::vector<Eigen::VectorXf> PlantedSeriesList(int per_pattern, std::uint64_t seed) {
@@ -151,4 +151,4 @@ TEST(CutShapelets, CutsZerosAtTheEndsButNotWithin) {
 }
 
 }  // namespace
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -6,7 +6,7 @@
 
 #include "contact_shapelets/core/random.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 Eigen::MatrixXd RandomMatrix(int rows, int columns, std::uint64_t seed) {
@@ -106,4 +106,4 @@ TEST(ShrinkToZero, ReachesExactZerosAndKeepsSigns) {
 }
 
 }  // namespace
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

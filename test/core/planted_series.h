@@ -8,7 +8,7 @@
 #include "contact_shapelets/core/episode.h"
 #include "contact_shapelets/core/random.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// A noisy series [length] with one planted pattern at a random place: 0 a bump, 1 a double step, 2 a short burst.
 inline Eigen::VectorXf PlantedSeries(int pattern, int length, Random* random) {
@@ -42,4 +42,4 @@ inline std::vector<Episode> PlantedEpisodes(int per_pattern, int spread, std::ui
   return episodes;
 }
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

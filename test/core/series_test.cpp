@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 Eigen::VectorXf Ramp(int count) { return Eigen::VectorXf::LinSpaced(count, 0.0F, static_cast<float>(count - 1)); }
@@ -39,4 +39,4 @@ TEST(EveryNth, TakesEachPhaseOnce) {
 TEST(MedianLength, IsTheLowerOfTwo) { EXPECT_EQ(MedianLength({Ramp(4), Ramp(9), Ramp(5), Ramp(7)}), 5); }
 
 }  // namespace
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

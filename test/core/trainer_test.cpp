@@ -8,7 +8,7 @@
 #include "contact_shapelets/core/partition_metrics.h"
 #include "core/planted_series.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 namespace {
 
 TrainerOptions QuickOptions() {
@@ -121,4 +121,4 @@ TEST(Classifier, NamesAClusterAndRefusesOneThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

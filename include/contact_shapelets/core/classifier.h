@@ -11,7 +11,7 @@
 /// \file
 /// Names the outcome of an episode by a trained model. Used alike by the classifier node and the offline program.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// What the classifier made of one episode.
 struct Diagnosis {
@@ -49,4 +49,4 @@ class Classifier {
   FeatureExtractor extractor_;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -9,7 +9,7 @@
 /// \file
 /// When the tool touches something: a force threshold with hysteresis over a running free-air baseline.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Decides on contact from the force alone.
 class ContactDetector {
@@ -40,4 +40,4 @@ class ContactDetector {
   Eigen::Vector3d baseline_ = Eigen::Vector3d::Zero();
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 /// \file
 /// One manipulation episode, as the learner and the classifier see it.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// A point in time or a duration in nanoseconds; exact, unlike a double at today's date.
 using Nanoseconds = std::int64_t;
@@ -36,4 +36,4 @@ struct Episode {
   double duration() const { return sample_period * static_cast<double>(force.size()); }
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -13,7 +13,7 @@
 /// \file
 /// Cuts a wrench stream into episodes. Used alike by the episode node and by the reader of bags.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Where an edge comes from.
 enum class EdgeSource {
@@ -118,4 +118,4 @@ class EpisodeSegmenter {
   int dropped_episodes_ = 0;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -9,7 +9,7 @@
 /// \file
 /// The similarity and t-SNE layers of the paper, for any number of shapelets of individual length and dilation.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// How well each of K shapelets matched one series.
 struct ShapeletDistances {
@@ -52,4 +52,4 @@ class FeatureExtractor {
 /// The features that clusters are formed on: log(max(F, 0) + log_offset), of the same shape as `distances`.
 Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, double log_offset);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -6,7 +6,7 @@
 /// \file
 /// K-means with k-means++ seeding: the one clustering that every method shares, so that methods differ in features alone.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Parameters of KMeans().
 struct KMeansOptions {
@@ -37,4 +37,4 @@ int NearestCentroid(const Eigen::Ref<const Eigen::MatrixXf>& centroids, const Ei
 Eigen::VectorXi NearestCentroids(const Eigen::Ref<const Eigen::MatrixXf>& centroids,
                                  const Eigen::Ref<const Eigen::MatrixXf>& points);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -11,7 +11,7 @@
 /// \file
 /// NN-STNE: learns banks of shapelets from series without labels (sections III.A and III.B of the paper).
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Which weights the spectral term has.
 enum class Objective {
@@ -63,4 +63,4 @@ std::vector<ShapeletBank> LearnBanks(const std::vector<Eigen::VectorXf>& series,
 /// The shapelets of `banks`, leading and trailing zeros cut (never below `shortest` samples) and z-normalised.
 std::vector<Shapelet> CutShapelets(const std::vector<ShapeletBank>& banks, int shortest);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

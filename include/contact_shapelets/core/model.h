@@ -8,7 +8,7 @@
 /// \file
 /// A trained model: what a classifier needs, and how it came about. Values as in ShapeletModel.msg.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// One learned shapelet.
 struct Shapelet {
@@ -52,4 +52,4 @@ struct Model {
   std::string Faults() const;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

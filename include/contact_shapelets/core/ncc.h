@@ -16,7 +16,7 @@
 ///
 /// The best match is the largest CC_w over all windows j and shifts w.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// The best match of one shapelet within one series.
 struct Match {
@@ -120,4 +120,4 @@ void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, con
 /// The name of the vector instruction set that FindBestMatches uses on this machine, for reports: "avx512", "avx2", ...
 const char* KernelInstructionSet();
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -6,7 +6,7 @@
 /// The objective of the paper (equation 6), term by term with its gradient, and the contrastive weights that keep it from
 /// collapsing.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Membership q of equation 4 with one degree of freedom: q_ik = (1 + F_ik)^-1 / sum_k (1 + F_ik)^-1.
 /// `distances` is F [N, K]; returns [N, K], rows summing to 1.
@@ -48,4 +48,4 @@ Term DiversityTerm(const Eigen::Ref<const Eigen::MatrixXd>& shapelets, double va
 /// it is smaller (soft threshold).
 void ShrinkToZero(double amount, Eigen::Ref<Eigen::MatrixXd> shapelets);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -5,7 +5,7 @@
 /// \file
 /// Spreads independent work over threads.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// As many threads as the machine runs at the same time, where `requested` is 0; else `requested`.
 int ThreadCount(int requested);
@@ -14,4 +14,4 @@ int ThreadCount(int requested);
 /// other, so that the result is the same for any number of threads. The first exception thrown is thrown again here.
 void ParallelFor(int count, int threads, const std::function<void(int)>& work);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

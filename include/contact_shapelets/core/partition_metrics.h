@@ -7,7 +7,7 @@
 /// \file
 /// How well two partitions of the same items agree, and the names that this gives to clusters.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Agreement of a partition with the true classes.
 struct PartitionScores {
@@ -38,4 +38,4 @@ std::vector<int> LeastCostAssignment(const Eigen::Ref<const Eigen::MatrixXd>& co
 std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& labels,
                                       const std::vector<std::string>& outcomes, int clusters);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

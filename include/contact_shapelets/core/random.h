@@ -7,7 +7,7 @@
 /// \file
 /// Random numbers that are the same for a seed on every machine and standard library.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// A 64-bit Mersenne Twister with explicit distributions (the standard library's differ between implementations).
 class Random {
@@ -30,4 +30,4 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

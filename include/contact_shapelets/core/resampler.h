@@ -8,7 +8,7 @@
 /// \file
 /// From irregular wrench samples to the magnitude of the contact force at a fixed period.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Mean force vector [N] of the samples with begin <= time <= end; zero where there is none.
 Eigen::Vector3d MeanForce(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end);
@@ -21,4 +21,4 @@ Eigen::Vector3d MeanForce(const std::vector<WrenchSample>& samples, Nanoseconds 
 Eigen::VectorXf ResampledMagnitude(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end,
                                    double sample_period, const Eigen::Vector3d& tare);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

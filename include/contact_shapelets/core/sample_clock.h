@@ -5,7 +5,7 @@
 /// \file
 /// Which time a wrench sample has: drivers' stamps may be zero, run backward, or come from a clock that is hours off.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// What SampleClock made of one sample.
 struct SampleTime {
@@ -47,4 +47,4 @@ class SampleClock {
   int backward_stamps_ = 0;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -5,7 +5,7 @@
 /// \file
 /// Parameters of the segmentation into episodes.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// What opens and closes an episode.
 enum class Segmentation {
@@ -44,4 +44,4 @@ struct SegmentationOptions {
   std::string Faults() const;
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

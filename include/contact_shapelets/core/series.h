@@ -6,7 +6,7 @@
 /// \file
 /// Small operations on series that several parts share.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Population standard deviation of `series` [Q >= 1], taken in double precision.
 double StandardDeviation(const Eigen::Ref<const Eigen::VectorXf>& series);
@@ -26,4 +26,4 @@ Eigen::VectorXf EveryNth(const Eigen::Ref<const Eigen::VectorXf>& series, int fi
 /// The median length of `series` (at least one), the lower one of two.
 int MedianLength(const std::vector<Eigen::VectorXf>& series);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -7,7 +7,7 @@
 /// \file
 /// Where the learning starts: K-means centroids of the windows (section III.A of the paper).
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// K shapelets [K, M]: K-means centroids of the z-normalised windows of `series`.
 ///
@@ -17,4 +17,4 @@ namespace contact_shapelets {
 Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int length, int count,
                                double flat_fraction, int most_windows, std::uint64_t seed);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

@@ -9,7 +9,7 @@
 /// \file
 /// The health of a wrench stream: rate, jitter, gaps, repeated and frozen samples, values that are not finite.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// What StreamMonitor counted.
 struct StreamSummary {
@@ -62,4 +62,4 @@ class StreamMonitor {
 /// Plain sentences on what is wrong with a stream; empty where nothing is. The first is the gravest.
 std::vector<std::string> Findings(const StreamSummary& summary);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

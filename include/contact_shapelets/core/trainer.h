@@ -15,7 +15,7 @@
 /// From episodes to a model: shapelet banks, clusters, names and novelty limits. Used alike by the trainer node, the
 /// offline program and the evaluation.
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// Parameters of TrainModel().
 struct TrainerOptions {
@@ -62,4 +62,4 @@ struct TrainingResult {
 TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
                           const ProgressCallback& progress = nullptr);
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

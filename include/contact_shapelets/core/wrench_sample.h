@@ -4,7 +4,7 @@
 
 #include "contact_shapelets/core/episode.h"
 
-namespace contact_shapelets {
+namespace contact_shapelets::core {
 
 /// The force part of one wrench.
 struct WrenchSample {
@@ -12,4 +12,4 @@ struct WrenchSample {
   Eigen::Vector3d force;  ///< [N] in the sensor's frame
 };
 
-}  // namespace contact_shapelets
+}  // namespace contact_shapelets::core

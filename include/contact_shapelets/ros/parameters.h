@@ -1,0 +1,92 @@
+#pragma once
+
+#include <XmlRpcValue.h>
+#include <ros/node_handle.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/segmentation_options.h"
+#include "contact_shapelets/core/trainer.h"
+
+/// \file
+/// Parameters from the parameter server or a YAML file into the plain structs of options, by the same code.
+
+namespace contact_shapelets {
+
+/// Reads named values out of a tree of parameters, and collects everything that is wrong with them.
+class ParameterReader {
+ public:
+  /// Reads from `tree`, a struct (or invalid: no parameter is set).
+  explicit ParameterReader(const XmlRpc::XmlRpcValue& tree);
+  /// Reads from the namespace of `node_handle`.
+  explicit ParameterReader(const ros::NodeHandle& node_handle);
+  /// Reads from YAML files, later ones winning. \throws std::runtime_error naming a file that cannot be read.
+  static ParameterReader FromYaml(const std::vector<std::string>& paths);
+
+  /// Sets `value` where the parameter is set; notes a fault where it is of another type.
+  void Read(const std::string& name, double* value);
+  void Read(const std::string& name, int* value);
+  void Read(const std::string& name, bool* value);
+  void Read(const std::string& name, std::string* value);
+  void Read(const std::string& name, std::uint64_t* value);
+  void Read(const std::string& name, std::vector<double>* value);
+  /// A list of strings, or one string with several separated by spaces.
+  void Read(const std::string& name, std::vector<std::string>* value);
+  /// One of several words.
+  template <typename Choice>
+  void Read(const std::string& name, const std::map<std::string, Choice>& choices, Choice* value);
+
+  /// Notes faults that a validator found.
+  void AddFaults(const std::string& faults) { faults_ << faults; }
+  /// Every fault so far, one per line.
+  std::string Faults() const { return faults_.str(); }
+  /// Names of parameters that are set, but that nothing read.
+  std::vector<std::string> Unread() const;
+
+ private:
+  const XmlRpc::XmlRpcValue* Find(const std::string& name, const std::string& expected,
+                                  std::initializer_list<XmlRpc::XmlRpcValue::Type> types);
+  void AddTypeFault(const std::string& name, const std::string& expected);
+
+  XmlRpc::XmlRpcValue tree_;
+  std::set<std::string> read_;
+  std::ostringstream faults_;
+};
+
+/// What the classifier node is told.
+struct ClassifierOptions {
+  std::string model;            ///< path of a model file; empty: the model comes by topic
+  bool early = true;            ///< publish early diagnoses of open episodes
+  double early_minimum = 0.25;  ///< part of the typical duration before the first early diagnosis, [0, 1]
+
+  /// Every parameter that is out of range, one line each.
+  std::string Faults() const;
+};
+
+/// Parameters of the segmentation; faults are noted in `reader`.
+core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader);
+/// Parameters of the trainer; faults are noted in `reader`.
+core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
+/// Parameters of the classifier node; faults are noted in `reader`.
+ClassifierOptions ReadClassifierOptions(ParameterReader* reader);
+
+template <typename Choice>
+void ParameterReader::Read(const std::string& name, const std::map<std::string, Choice>& choices, Choice* value) {
+  std::string word;
+  Read(name, &word);
+  if (word.empty()) return;
+  const auto choice = choices.find(word);
+  if (choice != choices.end()) {
+    *value = choice->second;
+    return;
+  }
+  std::string words;
+  for (const auto& [allowed, ignored] : choices) words += (words.empty() ? "" : ", ") + allowed;
+  faults_ << name << " must be one of " << words << ", but is " << word << '\n';
+}
+
+}  // namespace contact_shapelets

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/episode.h"
+#include "contact_shapelets/core/partition_metrics.h"
+#include "contact_shapelets/core/trainer.h"
+#include "contact_shapelets/ros/episode_bag_reader.h"
+
+namespace contact_shapelets::cli {
+
+/// What `train` and `classify` share: bags, how to cut them, parameter files.
+struct BagArguments {
+  std::vector<std::string> bags;
+  std::string wrench_topic;
+  std::string segmentation;
+  std::vector<std::string> configs;
+};
+
+/// Adds the arguments to a command.
+void AddBagArguments(CLI::App* command, BagArguments* arguments);
+
+/// Options of the reader and the trainer out of the arguments and their parameter files.
+struct Options {
+  BagReaderOptions reader;
+  core::TrainerOptions trainer;
+};
+
+/// \throws std::runtime_error listing every parameter that is wrong or unknown.
+Options ReadOptions(const BagArguments& arguments);
+
+/// One line on stderr that is overwritten: what is going on, how far it is, the time to go.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string what);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  /// Shows that the part `done` in [0, 1] is done.
+  void Show(double done);
+
+ private:
+  std::string what_;
+  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point last_shown_;
+  bool terminal_;
+  bool shown_ = false;
+};
+
+/// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing where none has.
+void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels);
+
+}  // namespace contact_shapelets::cli

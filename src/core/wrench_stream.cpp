@@ -1,0 +1,44 @@
+#include "contact_shapelets/core/wrench_stream.h"
+
+namespace contact_shapelets::core {
+
+bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force) {
+  if (!force.allFinite()) {
+    monitor_.AddNotFinite();
+    return false;
+  }
+  const SampleTime sample = clock_.Resolve(stamp, arrival);
+  if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
+    monitor_.AddOutOfOrder();
+    return false;
+  }
+  if (sample.verdict == SampleTime::Verdict::kJumpedBack) {
+    monitor_.JumpBack();
+    segmenter_.Restart();
+  }
+  monitor_.AddSample(sample.time, force);
+  segmenter_.AddSample({sample.time, force}, clock_.FromArrival(arrival));
+  return true;
+}
+
+void WrenchStream::AddPlainEdge(bool open, Nanoseconds arrival) {
+  const Nanoseconds time = clock_.FromArrival(arrival);
+  segmenter_.AddEdge({open, time, EdgeSource::kPlain, ""}, time);
+}
+
+void WrenchStream::AddCommand(bool open, Nanoseconds arrival) {
+  const Nanoseconds time = clock_.FromArrival(arrival);
+  segmenter_.AddEdge({open, time, EdgeSource::kCommand, ""}, time);
+}
+
+void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival) {
+  segmenter_.AddEdge({open, stamp, EdgeSource::kStamped, id}, clock_.FromArrival(arrival));
+}
+
+StreamSummary WrenchStream::Summary() const {
+  StreamMonitor monitor = monitor_;
+  monitor.SetStamps(clock_.zero_stamps(), clock_.backward_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
+  return monitor.Summary();
+}
+
+}  // namespace contact_shapelets::core

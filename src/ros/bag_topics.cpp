@@ -1,0 +1,53 @@
+#include "contact_shapelets/ros/bag_topics.h"
+
+#include <rosbag/view.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace contact_shapelets {
+
+void OpenBag(const std::string& path, rosbag::Bag* bag) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) throw std::runtime_error(path + ": expected a bag, but there is no such file");
+  if (!S_ISREG(status.st_mode)) throw std::runtime_error(path + ": expected a bag, but it is not a file");
+  if (status.st_size == 0) throw std::runtime_error(path + ": expected a bag, but the file is empty");
+  try {
+    bag->open(path, rosbag::bagmode::Read);
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::runtime_error(path + ": the bag has no index, it was cut off while recording: run `rosbag reindex` on it");
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": expected a bag, but it cannot be read: " + error.what());
+  }
+}
+
+BagTopics::BagTopics(const rosbag::Bag& bag) {
+  rosbag::View view(bag);
+  for (const rosbag::ConnectionInfo* connection : view.getConnections()) {
+    type_of_[connection->topic] = connection->datatype;
+  }
+}
+
+std::vector<std::string> BagTopics::OfType(const std::string& type) const {
+  std::vector<std::string> topics;
+  for (const auto& [topic, topic_type] : type_of_) {
+    if (topic_type == type) topics.push_back(topic);
+  }
+  return topics;
+}
+
+std::vector<std::string> BagTopics::Named(const std::string& name, const std::string& type) const {
+  std::vector<std::string> topics = OfType(type);
+  const auto other = [&name](const std::string& topic) { return topic.substr(topic.rfind('/') + 1) != name; };
+  topics.erase(std::remove_if(topics.begin(), topics.end(), other), topics.end());
+  return topics;
+}
+
+std::string BagTopics::List() const {
+  std::string list;
+  for (const auto& [topic, type] : type_of_) list += (list.empty() ? "" : ", ") + topic + " (" + type + ")";
+  return list.empty() ? "none" : list;
+}
+
+}  // namespace contact_shapelets
