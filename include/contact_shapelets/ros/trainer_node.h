@@ -1,0 +1,55 @@
+#pragma once
+
+#include <actionlib/server/simple_action_server.h>
+#include <contact_shapelets/TrainAction.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/trainer.h"
+#include "contact_shapelets/ros/episode_bag_reader.h"
+
+namespace contact_shapelets {
+
+/// Trains models on recorded bags, on request by an action or once at the start, and publishes the newest one.
+class TrainerNode {
+ public:
+  /// Reads parameters from `private_node_handle` and publishes the model that ~model names. Faults are logged and
+  /// reported in /diagnostics; the node stays up and refuses goals while parameters are faulty.
+  TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
+
+  /// Trains once where ~bags and ~output are given; returns whether nothing failed.
+  bool TrainAtStart();
+
+ private:
+  using Server = actionlib::SimpleActionServer<TrainAction>;
+
+  void ReadParameters();
+  void OnGoal(const TrainGoalConstPtr& goal);
+  TrainResult Train(const std::vector<std::string>& bags, const std::string& output, int clusters,
+                    const core::ProgressCallback& progress);
+  void SetState(int level, const std::string& text);
+  void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle node_handle_;
+  ros::NodeHandle private_node_handle_;
+  core::TrainerOptions options_;
+  BagReaderOptions reader_options_;
+  std::vector<std::string> start_bags_;
+  std::string start_output_;
+  std::string parameter_faults_;
+
+  std::mutex state_mutex_;  ///< goals run in the action server's own thread
+  int state_level_ = 0;
+  std::string state_text_ = "idle";
+
+  ros::Publisher model_publisher_;
+  ros::WallTimer diagnostic_timer_;
+  diagnostic_updater::Updater updater_;
+  Server server_;
+};
+
+}  // namespace contact_shapelets

@@ -1,0 +1,10 @@
+#include <ros/ros.h>
+
+#include "contact_shapelets/ros/classifier_node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "classifier_node");
+  const contact_shapelets::ClassifierNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  ros::spin();
+  return 0;
+}

@@ -1,0 +1,10 @@
+#include <ros/ros.h>
+
+#include "contact_shapelets/ros/episode_node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "episode_node");
+  const contact_shapelets::EpisodeNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  ros::spin();
+  return 0;
+}

@@ -1,0 +1,14 @@
+#include <ros/ros.h>
+
+#include "contact_shapelets/ros/trainer_node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "trainer_node");
+  contact_shapelets::TrainerNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  // Diagnostics and goals go on while a training at the start runs.
+  ros::AsyncSpinner spinner(2);
+  spinner.start();
+  node.TrainAtStart();
+  ros::waitForShutdown();
+  return 0;
+}
