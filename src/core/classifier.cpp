@@ -37,7 +37,7 @@ Classification Classifier::Classify(const Episode& episode) const {
     result.features = extractor_.Compute(StretchedTo(episode.force, length));
   }
 
-  const Eigen::VectorXf features = LogFeatures(result.features.distances, model_.log_offset);
+  const Eigen::VectorXf features = model_.Features(result.features.distances.transpose()).transpose();
   Eigen::VectorXf distances(model_.clusters.size());
   for (Eigen::Index index = 0; index < distances.size(); ++index) {
     distances[index] = (model_.clusters[static_cast<std::size_t>(index)].centroid - features).norm();

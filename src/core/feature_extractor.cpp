@@ -70,8 +70,4 @@ ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::Vector
   return result;
 }
 
-Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, double log_offset) {
-  return (distances.array().max(0.0F) + static_cast<float>(log_offset)).log().matrix();
-}
-
 }  // namespace contact_shapelets::core

@@ -42,6 +42,18 @@ Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const F
   return distances;
 }
 
+/// Weights scale^-p, of mean square 1 over all shapelets, so that distances keep their size.
+void WeighByScale(const std::vector<ShapeletBank>& banks, double exponent, std::vector<Shapelet>* shapelets) {
+  double squares = 0.0;
+  for (Shapelet& shapelet : *shapelets) {
+    const double weight = std::pow(banks[static_cast<std::size_t>(shapelet.scale)].scale, -exponent);
+    shapelet.weight = static_cast<float>(weight);
+    squares += weight * weight;
+  }
+  const double mean = std::sqrt(squares / static_cast<double>(shapelets->size()));
+  for (Shapelet& shapelet : *shapelets) shapelet.weight /= static_cast<float>(mean);
+}
+
 float NoveltyLimit(std::vector<float> distances, double quantile, double margin) {
   std::sort(distances.begin(), distances.end());
   const auto last = static_cast<double>(distances.size() - 1);
@@ -114,6 +126,7 @@ std::string TrainerOptions::Faults() const {
   require(kmeans_restarts >= 1, "kmeans_restarts", "at least 1", kmeans_restarts);
   require(novelty_quantile > 0.0 && novelty_quantile <= 1.0, "novelty_quantile", "in (0, 1]", novelty_quantile);
   require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
+  require(scale_exponent >= 0.0 && scale_exponent <= 2.0, "scale_exponent", "in [0, 2]", scale_exponent);
   require(threads >= 0, "threads", "at least 0", threads);
   return faults.str() + learner.Faults();
 }
@@ -134,12 +147,13 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   Model& model = result.model;
   const std::vector<ShapeletBank> banks = LearnBanksWithProgress(series, options, progress);
   model.shapelets = CutShapelets(banks, options.learner.shortest);
+  WeighByScale(banks, options.scale_exponent, &model.shapelets);
   model.sample_period = episodes.front().sample_period;
   model.flat_fraction = options.learner.flat_fraction;
   const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
   result.distances = AllDistances(series, extractor, ThreadCount(options.threads));
 
-  const Eigen::MatrixXf features = LogFeatures(result.distances, model.log_offset);
+  const Eigen::MatrixXf features = model.Features(result.distances);
   KMeansOptions kmeans;
   kmeans.clusters = options.clusters;
   kmeans.restarts = options.kmeans_restarts;

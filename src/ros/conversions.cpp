@@ -93,7 +93,7 @@ core::Model FromMessage(const ShapeletModel& message) {
   model.log_offset = message.log_offset;
   for (const Shapelet& shapelet : message.shapelets) {
     model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation),
-                               FromList(shapelet.values)});
+                               shapelet.weight, FromList(shapelet.values)});
   }
   for (std::size_t index = 0; index < message.centroids.size(); ++index) {
     const Centroid& centroid = message.centroids[index];
@@ -123,6 +123,7 @@ ShapeletModel ToMessage(const core::Model& model, const ros::Time& time) {
     Shapelet entry;
     entry.scale = static_cast<std::uint32_t>(shapelet.scale);
     entry.dilation = static_cast<std::uint32_t>(shapelet.dilation);
+    entry.weight = shapelet.weight;
     entry.values = ToList(shapelet.values);
     message.shapelets.push_back(entry);
   }

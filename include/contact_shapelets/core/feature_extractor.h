@@ -49,7 +49,4 @@ class FeatureExtractor {
   double flat_fraction_;
 };
 
-/// The features that clusters are formed on: log(max(F, 0) + log_offset), of the same shape as `distances`.
-Eigen::MatrixXf LogFeatures(const Eigen::Ref<const Eigen::MatrixXf>& distances, double log_offset);
-
 }  // namespace contact_shapelets::core

@@ -14,6 +14,7 @@ namespace contact_shapelets::core {
 struct Shapelet {
   int scale = 0;           ///< index of the scale (bank) it was learned at
   int dilation = 1;        ///< samples between two of its values, at least 1
+  float weight = 1.0F;     ///< factor on its feature, above 0
   Eigen::VectorXf values;  ///< z-normalised
 };
 
@@ -40,10 +41,14 @@ struct Model {
   std::string id;              ///< unique
   double sample_period = 0.0;  ///< [s] of the episodes that it applies to
   double flat_fraction = 0.3;  ///< windows under this part of the episode's standard deviation are skipped, [0, 1)
-  double log_offset = 0.05;    ///< features are log(max(F, 0) + log_offset), above 0
+  double log_offset = 0.05;    ///< see Features(), above 0
   std::vector<Shapelet> shapelets;
   std::vector<Cluster> clusters;
   Provenance provenance;
+
+  /// The features that clusters are formed on: weight * log(max(F, 0) + log_offset), for distances F [N, K], one series per
+  /// row.
+  Eigen::MatrixXf Features(const Eigen::Ref<const Eigen::MatrixXf>& distances) const;
 
   /// The event that `cluster` stands for: its label, or "cluster_<index>" while it has none, or "unknown" for -1.
   std::string EventOf(int cluster) const;

@@ -22,6 +22,7 @@ struct TrainerOptions {
   int clusters = 3;               ///< C, at least 2
   LearnerOptions learner;         ///< shapelet banks
   int kmeans_restarts = 20;       ///< of the final clustering, at least 1
+  double scale_exponent = 1.0;    ///< p in [0, 2]: features weigh scale^-p, so that short shapelets count more
   double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
   double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
   int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
