@@ -1,0 +1,7 @@
+// catkin links gtest, and gtest_main only where it builds GoogleTest from source.
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
