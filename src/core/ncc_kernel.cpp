@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact_shapelets/core/ncc.h"
+#include "core/ncc_search.h"
 #include "core/ncc_tile.h"
 
 namespace contact_shapelets::core {
@@ -83,9 +84,10 @@ class Groups {
 /// The search in a stretch of windows: single precision on values centred on their own mean.
 class BlockSearch {
  public:
-  BlockSearch(const WindowSet& windows, const ShapeletSet& shapelets, const Groups& groups, int first, int count,
+  BlockSearch(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets, const Groups& groups, int first, int count,
               std::vector<Match>* matches)
-      : windows_(windows),
+      : loops_(loops),
+        windows_(windows),
         shapelets_(shapelets),
         groups_(groups),
         length_(windows.length()),
@@ -104,7 +106,7 @@ class BlockSearch {
 
   void Run(bool prune) {
     for (int group = 0; group < groups_.count(); ++group) {
-      tile::BestLoops().full_overlap(series_.data() + margin_, groups_.values(group), length_, count_, stride_,
+      loops_.full_overlap(series_.data() + margin_, groups_.values(group), length_, count_, stride_,
                                      SumsOf(group) + margin_);
     }
     for (int k = 0; k < shapelets_.count(); ++k) TakeFullOverlaps(k);
@@ -184,7 +186,7 @@ class BlockSearch {
 
   void Extra(int group, int begin, int count, float* sums) {
     std::vector<float> extra(static_cast<std::size_t>(kGroup) * (count + kPadding));
-    tile::BestLoops().full_overlap(series_.data() + begin, groups_.values(group), length_, count, count + kPadding,
+    loops_.full_overlap(series_.data() + begin, groups_.values(group), length_, count, count + kPadding,
                                    extra.data());
     for (int i = 0; i < kGroup; ++i) {
       std::copy_n(extra.data() + i * (count + kPadding), count, sums + i * stride_ + begin);
@@ -221,7 +223,7 @@ class BlockSearch {
     arguments.begin = begin;
     arguments.count = positions;
     arguments.stride = stride_;
-    tile::BestLoops().partial_overlaps(arguments);
+    loops_.partial_overlaps(arguments);
     for (int k = group * kGroup; k < end; ++k) TakePartialOverlaps(k, side, steps, begin, positions);
   }
 
@@ -238,6 +240,7 @@ class BlockSearch {
     }
   }
 
+  const tile::Loops& loops_;
   const WindowSet& windows_;
   const ShapeletSet& shapelets_;
   const Groups& groups_;
@@ -257,8 +260,8 @@ class BlockSearch {
 
 }  // namespace
 
-void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
-                     const MatchOptions& options, std::vector<Match>* matches) {
+void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
+                         const std::vector<Match>& hints, const MatchOptions& options, std::vector<Match>* matches) {
   const int length = windows.length();
   if (length != shapelets.length()) throw std::invalid_argument("windows and shapelets differ in length");
   if (!hints.empty() && static_cast<int>(hints.size()) != shapelets.count()) {
@@ -276,7 +279,7 @@ void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, con
   const int block = std::max(1024, 4 * length);
   for (int first = 0; first < windows.window_count() && windows.usable_window_count() > 0; first += block) {
     const int count = std::min(block, windows.window_count() - first);
-    BlockSearch(windows, shapelets, groups, first, count, &found).Run(options.prune);
+    BlockSearch(loops, windows, shapelets, groups, first, count, &found).Run(options.prune);
   }
   *matches = std::move(found);
 }

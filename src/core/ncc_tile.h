@@ -54,7 +54,5 @@ Loops Avx2Loops();
 /// For machines with AVX-512 F, VL, DQ and BW.
 Loops Avx512Loops();
 #endif
-/// The widest that this machine runs.
-const Loops& BestLoops();
 
 }  // namespace contact_shapelets::core::tile
