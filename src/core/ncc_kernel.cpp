@@ -54,6 +54,8 @@ class Groups {
   }
 
   int count() const { return count_; }
+  /// True where the shapelet was constant, and matches nothing.
+  bool IsConstant(int k) const { return energies_[k][length_] == 0.0F; }
   const float* values(int group) const { return values_.data() + static_cast<std::size_t>(group * kGroup * length_); }
   /// Sum of the first `samples` values of shapelet k.
   float Sum(int k, int samples) const { return sums_[k][samples]; }
@@ -143,6 +145,7 @@ class BlockSearch {
   const float* Shapelet(int k) const { return shapelets_.normalised().col(k).data(); }
 
   void Offer(int k, int window, int shift) {
+    if (groups_.IsConstant(k)) return;
     const auto value = static_cast<float>(Evaluate(windows_, Shapelet(k), window, shift));
     if (value <= matches_[k].similarity) return;
     matches_[k] = {value, window, shift};
@@ -267,15 +270,15 @@ void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, con
   if (!hints.empty() && static_cast<int>(hints.size()) != shapelets.count()) {
     throw std::invalid_argument("there must be one hint for each shapelet, or none");
   }
+  const Groups groups(shapelets);
   std::vector<Match> found(static_cast<std::size_t>(shapelets.count()));
   for (int k = 0; k < static_cast<int>(hints.size()); ++k) {
     const Match& hint = hints[k];
-    if (hint.window < 0 || windows.IsFlat(hint.window)) continue;
+    if (hint.window < 0 || groups.IsConstant(k) || windows.IsFlat(hint.window)) continue;
     found[k] = hint;
     found[k].similarity =
         static_cast<float>(Evaluate(windows, shapelets.normalised().col(k).data(), hint.window, hint.shift));
   }
-  const Groups groups(shapelets);
   const int block = std::max(1024, 4 * length);
   for (int first = 0; first < windows.window_count() && windows.usable_window_count() > 0; first += block) {
     const int count = std::min(block, windows.window_count() - first);
