@@ -2,16 +2,17 @@
 
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
+#include <std_msgs/String.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iomanip>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/common.h"
-#include "contact_shapelets/core/parallel.h"
+#include "cli/episode_table.h"
+#include "cli/text.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/topics.h"
@@ -26,79 +27,79 @@ struct Arguments {
   std::string annotate;
 };
 
-double Seconds(core::Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
-
-void WriteCsv(const std::string& path, const std::vector<core::Episode>& episodes,
-              const std::vector<core::Classification>& results) {
-  std::ofstream file(path);
-  file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
-  for (Eigen::Index k = 0; k < results.front().features.distances.size(); ++k) file << ",d" << k;
-  file << '\n' << std::setprecision(9);
-  for (std::size_t index = 0; index < episodes.size(); ++index) {
-    const core::Episode& episode = episodes[index];
-    const core::Diagnosis& diagnosis = results[index].diagnosis;
-    char start[40];
-    std::snprintf(start, sizeof(start), "%.9f", Seconds(episode.start));
-    file << episode.id << ',' << start << ',' << episode.duration() << ',' << episode.force.size() << ','
-         << episode.outcome << ',' << diagnosis.cluster << ',' << diagnosis.event << ',' << diagnosis.confidence << ','
-         << diagnosis.novelty;
-    for (const float distance : results[index].features.distances) file << ',' << distance;
-    file << '\n';
-  }
-  file.close();
-  if (!file) throw std::runtime_error(path + ": the CSV cannot be written");
+/// Adds what the nodes would have published for an episode, at its end.
+void WriteResult(const core::Episode& episode, const core::Classification& result, const core::Model& model,
+                 rosbag::Bag* output) {
+  const ros::Time end = ToTime(episode.start) + ros::Duration(episode.duration());
+  const auto write = [&](const char* topic, const auto& message) { output->write("/" + std::string(topic), end, message); };
+  std_msgs::String event;
+  event.data = result.diagnosis.event;
+  write(topics::kFeatures, FeaturesMessage(episode, model, result.features));
+  write(topics::kDiagnosis, DiagnosisMessage(episode, model, result.diagnosis, true));
+  write(topics::kEvent, event);
 }
 
-/// Copies the bags and adds each episode with its features and diagnosis at its end.
+/// Copies the bags into one, and adds features, diagnosis and event of each episode at its end. A failure leaves no file.
 void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
               const std::vector<core::Classification>& results) {
-  for (const std::string& path : arguments.bags.bags) {
-    if (path == arguments.annotate) throw std::runtime_error(path + ": a bag cannot be annotated into itself");
-  }
+  const std::string temporary = arguments.annotate + ".part";
   try {
-    rosbag::Bag output(arguments.annotate, rosbag::bagmode::Write);
+    rosbag::Bag output(temporary, rosbag::bagmode::Write);
+    output.setCompression(rosbag::compression::LZ4);
     for (const std::string& path : arguments.bags.bags) {
       const rosbag::Bag input(path, rosbag::bagmode::Read);
-      for (const rosbag::MessageInstance& message : rosbag::View(input)) {
+      rosbag::View view(input);
+      for (const rosbag::MessageInstance& message : view) {
         output.write(message.getTopic(), message.getTime(), message, message.getConnectionHeader());
       }
     }
     for (std::size_t index = 0; index < episodes.size(); ++index) {
-      const core::Episode& episode = episodes[index];
-      const ros::Time end = ToTime(episode.start) + ros::Duration(episode.duration());
-      output.write(topics::kFeatures, end, FeaturesMessage(episode, model, results[index].features));
-      output.write(topics::kDiagnosis, end, DiagnosisMessage(episode, model, results[index].diagnosis, true));
+      WriteResult(episodes[index], results[index], model, &output);
     }
-  } catch (const rosbag::BagException& error) {
+    output.close();
+    std::filesystem::rename(temporary, arguments.annotate);
+  } catch (const std::exception& error) {
+    std::remove(temporary.c_str());
     throw std::runtime_error(arguments.annotate + ": the annotated bag cannot be written: " + error.what());
   }
 }
 
-void Classify(const Arguments& arguments) {
-  const Options options = ReadOptions(arguments.bags);
-  const core::Classifier classifier(LoadModel(arguments.model));
-  BagReaderOptions reader = options.reader;
-  if (arguments.bags.configs.empty()) reader.segmentation.sample_period = classifier.model().sample_period;
-  ProgressLine line("reading");
-  const std::vector<core::Episode> episodes =
-      ReadAllEpisodes(arguments.bags.bags, reader, [&line](double done) { line.Show(done); });
-  std::vector<core::Classification> results(episodes.size());
-  core::ParallelFor(static_cast<int>(episodes.size()), core::ThreadCount(options.trainer.threads), [&](int index) {
-    results[static_cast<std::size_t>(index)] = classifier.Classify(episodes[static_cast<std::size_t>(index)]);
-  });
-
-  std::vector<int> clusters;
+void PrintEpisodes(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results) {
+  std::size_t id_width = 10;
+  std::size_t event_width = 5;
+  bool outcomes = false;
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    id_width = std::max(id_width, episodes[index].id.size());
+    event_width = std::max(event_width, results[index].diagnosis.event.size());
+    outcomes = outcomes || !episodes[index].outcome.empty();
+  }
+  std::printf("%s  %s  confidence  novelty  duration%s\n", Padded("episode_id", id_width).c_str(),
+              Padded("event", event_width).c_str(), outcomes ? "  outcome" : "");
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const core::Diagnosis& diagnosis = results[index].diagnosis;
-    clusters.push_back(diagnosis.nearest_cluster);
-    std::printf("%s  %-16s confidence %.2f  novelty %.2f  %5.2f s%s%s\n", episodes[index].id.c_str(),
-                diagnosis.event.c_str(), diagnosis.confidence, diagnosis.novelty, episodes[index].duration(),
-                episodes[index].outcome.empty() ? "" : "  outcome ", episodes[index].outcome.c_str());
+    std::printf("%s  %s  %10.2f  %7.2f  %6.2f s%s%s\n", Padded(episodes[index].id, id_width).c_str(),
+                Padded(diagnosis.event, event_width).c_str(), diagnosis.confidence, diagnosis.novelty,
+                episodes[index].duration(), episodes[index].outcome.empty() ? "" : "  ", episodes[index].outcome.c_str());
   }
+}
+
+void Classify(const Arguments& arguments) {
+  Options options = ReadOptions(arguments.bags);
+  if (!arguments.csv.empty()) CheckOutput("--csv", arguments.csv, arguments.bags.bags);
+  if (!arguments.annotate.empty()) CheckOutput("--annotate", arguments.annotate, arguments.bags.bags);
+  const core::Classifier classifier(LoadModel(arguments.model));
+  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = classifier.model().sample_period;
+  const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  const std::vector<core::Classification> results = ClassifyAll(classifier, episodes, options.trainer.threads);
+
+  PrintEpisodes(episodes, results);
   if (!arguments.csv.empty()) WriteCsv(arguments.csv, episodes, results);
   if (!arguments.annotate.empty()) Annotate(arguments, classifier.model(), episodes, results);
-  std::printf("%zu episodes\n", episodes.size());
-  PrintScores(episodes, clusters);
+  std::map<std::string, int> events;
+  for (const core::Classification& result : results) ++events[result.diagnosis.event];
+  std::printf("%s by model %s: %s\n", Count(episodes.size(), "episode").c_str(), classifier.model().id.c_str(),
+              CountsText(events).c_str());
+  PrintScores(episodes, NearestClusters(results));
 }
 
 }  // namespace
@@ -109,7 +110,8 @@ void AddClassifyCommand(CLI::App* app) {
   AddBagArguments(command, &arguments->bags);
   command->add_option("--model", arguments->model, "The model file")->required();
   command->add_option("--csv", arguments->csv, "Writes one line per episode with all distances");
-  command->add_option("--annotate", arguments->annotate, "Writes a copy of the bags with features and diagnoses in it");
+  command->add_option("--annotate", arguments->annotate,
+                      "Writes a copy of the bags with features, diagnosis and event of each episode");
   command->callback([arguments] { Classify(*arguments); });
 }
 

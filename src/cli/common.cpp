@@ -2,11 +2,15 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
+#include "cli/text.h"
 #include "contact_shapelets/ros/parameters.h"
 
 namespace contact_shapelets::cli {
@@ -24,24 +28,77 @@ Options ReadOptions(const BagArguments& arguments) {
   Options options;
   options.reader.segmentation = ReadSegmentationOptions(&reader);
   options.trainer = ReadTrainerOptions(&reader);
-  options.reader.wrench_topic = arguments.wrench_topic;
-  for (const std::string& name : reader.Unread()) reader.AddFaults(name + " is not a parameter; ");
+  reader.Read("wrench_topic", &options.reader.wrench_topic);
+  // The nodes' files serve here as well, so that what belongs to a node alone is no fault.
+  ReadClassifierOptions(&reader);
+  double progress_rate = 0.0;
+  std::vector<std::string> bags;
+  std::string output;
+  reader.Read("progress_rate", &progress_rate);
+  reader.Read("bags", &bags);
+  reader.Read("output", &output);
+  for (const std::string& name : reader.Unread()) reader.AddFaults(name + " is not a parameter\n");
   std::string faults = reader.Faults();
-  if (!faults.empty()) {
-    for (char& letter : faults) letter = letter == '\n' ? ';' : letter;
-    throw std::runtime_error("parameters: " + faults);
-  }
+  if (!faults.empty()) throw std::runtime_error(Joined(arguments.configs, ", ") + ": " + faults);
+  if (!arguments.wrench_topic.empty()) options.reader.wrench_topic = arguments.wrench_topic;
   if (arguments.segmentation == "contact") options.reader.segmentation.segmentation = core::Segmentation::kContact;
   if (arguments.segmentation == "action") options.reader.segmentation.segmentation = core::Segmentation::kAction;
   if (arguments.segmentation == "trigger") options.reader.segmentation.segmentation = core::Segmentation::kTrigger;
   return options;
 }
 
+std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options) {
+  std::vector<core::Episode> episodes;
+  ProgressLine line("reading");
+  for (std::size_t index = 0; index < bags.size(); ++index) {
+    const auto show = [&](double done) {
+      line.Show((static_cast<double>(index) + done) / static_cast<double>(bags.size()));
+    };
+    BagContents contents = ReadEpisodes(bags[index], options, show);
+    std::vector<std::string> remarks;
+    if (contents.stream.samples > 0) remarks = core::Findings(contents.stream);
+    if (contents.dropped_episodes > 0) {
+      remarks.push_back(Count(static_cast<std::size_t>(contents.dropped_episodes), "episode") +
+                        " dropped: too short or without a sample");
+    }
+    const auto incomplete = std::count_if(contents.episodes.begin(), contents.episodes.end(),
+                                          [](const core::Episode& episode) { return !episode.complete; });
+    if (incomplete > 0) {
+      remarks.push_back(Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete: samples are missing");
+    }
+    if (!remarks.empty()) {
+      line.Clear();
+      std::cout << bags[index] << ": " << Joined(remarks, "; ") << '\n';
+    }
+    std::move(contents.episodes.begin(), contents.episodes.end(), std::back_inserter(episodes));
+  }
+  line.Clear();
+  return episodes;
+}
+
+void CheckOutput(const std::string& option, const std::string& path, const std::vector<std::string>& bags) {
+  namespace filesystem = std::filesystem;
+  std::error_code ignored;
+  const filesystem::path folder = filesystem::path(path).parent_path();
+  const std::string folder_name = folder.empty() ? "." : folder.string();
+  const auto refuse = [&](const std::string& why) { throw std::runtime_error(option + " " + path + ": " + why); };
+  if (path.empty()) refuse("expected the path of a file, but it is empty");
+  if (!filesystem::is_directory(folder_name, ignored)) refuse("there is no folder " + folder_name);
+  if (filesystem::is_directory(path, ignored)) refuse("expected a file, but it is a folder");
+  if (access(folder_name.c_str(), W_OK) != 0) refuse("the folder " + folder_name + " cannot be written to");
+  for (const std::string& bag : bags) {
+    if (filesystem::equivalent(path, bag, ignored)) refuse("it is one of the bags that are read; choose another name");
+  }
+}
+
 ProgressLine::ProgressLine(std::string what)
     : what_(std::move(what)), start_(std::chrono::steady_clock::now()), last_shown_(start_), terminal_(isatty(2) == 1) {}
 
-ProgressLine::~ProgressLine() {
-  if (shown_ && terminal_) std::cerr << '\n';
+ProgressLine::~ProgressLine() { Clear(); }
+
+void ProgressLine::Clear() {
+  if (shown_ && terminal_) std::cerr << "\r\033[K" << std::flush;
+  shown_ = false;
 }
 
 void ProgressLine::Show(double done) {
@@ -57,7 +114,8 @@ void ProgressLine::Show(double done) {
   std::cerr << text << std::flush;
 }
 
-void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels) {
+std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
+                                                  const std::vector<int>& labels) {
   std::map<std::string, int> classes;
   std::vector<int> used;
   std::vector<int> given;
@@ -66,13 +124,18 @@ void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<i
     used.push_back(labels[index]);
     given.push_back(classes.emplace(episodes[index].outcome, static_cast<int>(classes.size())).first->second);
   }
-  if (used.size() < 2) return;
-  const core::PartitionScores scores =
-      core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), static_cast<Eigen::Index>(used.size())),
-                              Eigen::Map<const Eigen::VectorXi>(given.data(), static_cast<Eigen::Index>(given.size())));
+  if (used.size() < 2) return std::nullopt;
+  const auto size = static_cast<Eigen::Index>(used.size());
+  return OutcomeScores{used.size(), core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
+                                                            Eigen::Map<const Eigen::VectorXi>(given.data(), size))};
+}
+
+void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels) {
+  const std::optional<OutcomeScores> result = ScoreAgainstOutcomes(episodes, labels);
+  if (!result) return;
   std::printf("Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
-              used.size(), scores.rand_index, scores.adjusted_rand_index, scores.normalised_mutual_information,
-              scores.accuracy);
+              result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,
+              result->scores.normalised_mutual_information, result->scores.accuracy);
 }
 
 }  // namespace contact_shapelets::cli

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct Options {
 /// \throws std::runtime_error listing every parameter that is wrong or unknown.
 Options ReadOptions(const BagArguments& arguments);
 
+/// Reads the episodes of all bags, with progress on stderr; says on stdout what is wrong with a bag's wrench.
+/// \throws std::runtime_error in one line that names the bag, see ReadEpisodes().
+std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options);
+
+/// Checks that a file can be written at `path`, before long work that ends in it.
+/// \throws std::runtime_error naming `option` and the path: its folder is missing or not writable, or it is one of `bags`.
+void CheckOutput(const std::string& option, const std::string& path, const std::vector<std::string>& bags);
+
 /// One line on stderr that is overwritten: what is going on, how far it is, the time to go.
 class ProgressLine {
  public:
@@ -41,6 +50,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// Shows that the part `done` in [0, 1] is done.
   void Show(double done);
+  /// Takes the line away from a terminal.
+  void Clear();
 
  private:
   std::string what_;
@@ -49,6 +60,16 @@ class ProgressLine {
   bool terminal_;
   bool shown_ = false;
 };
+
+/// Labels compared with the outcomes of those episodes that have one.
+struct OutcomeScores {
+  std::size_t episodes = 0;  ///< with an outcome
+  core::PartitionScores scores;
+};
+
+/// How `labels`, one per episode, agree with the outcomes; nothing where fewer than two episodes have one.
+std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
+                                                  const std::vector<int>& labels);
 
 /// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing where none has.
 void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels);

@@ -1,10 +1,17 @@
 #include "cli/train_command.h"
 
+#include <rosbag/bag.h>
+
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 #include "cli/common.h"
+#include "cli/text.h"
+#include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/model_bag.h"
 
 namespace contact_shapelets::cli {
@@ -17,42 +24,78 @@ struct Arguments {
   int seed = -1;
 };
 
+/// A recording that was named by mistake must not be lost to a model.
+void CheckNoRecording(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) return;
+  rosbag::Bag bag;
+  OpenBag(path, &bag);
+  if (BagTopics(bag).OfType("contact_shapelets/ShapeletModel").empty()) {
+    throw std::runtime_error("--model " + path + ": expected a new file or an older model, but found another bag; " +
+                             "choose another name");
+  }
+}
+
+core::TrainingResult TrainWithProgress(const std::vector<core::Episode>& episodes, const Arguments& arguments,
+                                       const core::TrainerOptions& options) {
+  ProgressLine line("training on " + Count(episodes.size(), "episode"));
+  try {
+    return core::TrainModel(episodes, options, [&line](const core::TrainingProgress& progress) {
+      line.Show(progress.fraction_done);
+      return true;
+    });
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(Joined(arguments.bags.bags, ", ") + ": " + error.what());
+  }
+}
+
+void PrintTraining(const core::TrainingResult& result, const std::vector<core::Episode>& episodes, double seconds) {
+  const core::Provenance& provenance = result.model.provenance;
+  const std::string outcomes = CountsText(CountOutcomes(episodes));
+  std::printf("%s of %.2f s (median)%s%s%s\n", Count(episodes.size(), "episode").c_str(), provenance.typical_duration,
+              outcomes.empty() ? "" : ", with outcomes ", outcomes.c_str(), outcomes.empty() ? "" : " (not used to learn)");
+  std::vector<std::string> scales;
+  for (const double scale : provenance.selected_scales) {
+    scales.push_back(Number(scale * provenance.typical_duration, 2));
+  }
+  std::printf("%zu shapelets that started with %s s, %s objective, seed %llu, %.1f s of training\n",
+              result.model.shapelets.size(), Joined(scales, ", ").c_str(), provenance.objective.c_str(),
+              static_cast<unsigned long long>(provenance.seed), seconds);
+}
+
 void PrintClusters(const core::TrainingResult& result, const std::vector<core::Episode>& episodes) {
+  bool unnamed = false;
   for (std::size_t index = 0; index < result.model.clusters.size(); ++index) {
     std::map<std::string, int> outcomes;
     for (std::size_t item = 0; item < episodes.size(); ++item) {
       const bool inside = result.labels[static_cast<Eigen::Index>(item)] == static_cast<int>(index);
       if (inside && !episodes[item].outcome.empty()) ++outcomes[episodes[item].outcome];
     }
-    std::printf("cluster %zu: %d episodes, event %s", index, result.model.clusters[index].size,
-                result.model.EventOf(static_cast<int>(index)).c_str());
-    for (const auto& [outcome, count] : outcomes) std::printf(", %d %s", count, outcome.c_str());
-    std::printf("\n");
+    const core::Cluster& cluster = result.model.clusters[index];
+    unnamed = unnamed || cluster.label.empty();
+    std::printf("cluster %zu: %s, event %s%s%s\n", index,
+                Count(static_cast<std::size_t>(cluster.size), "episode").c_str(),
+                result.model.EventOf(static_cast<int>(index)).c_str(), outcomes.empty() ? "" : ": ",
+                CountsText(outcomes).c_str());
   }
+  if (unnamed) std::printf("Clusters without a name get one by the service ~name_cluster of classifier_node.\n");
 }
 
 void Train(const Arguments& arguments) {
   Options options = ReadOptions(arguments.bags);
   if (arguments.clusters > 0) options.trainer.clusters = arguments.clusters;
   if (arguments.seed >= 0) options.trainer.seed = static_cast<std::uint64_t>(arguments.seed);
-  std::vector<core::Episode> episodes;
-  {
-    ProgressLine line("reading");
-    episodes = ReadAllEpisodes(arguments.bags.bags, options.reader, [&line](double done) { line.Show(done); });
-  }
-  core::TrainingResult result;
-  {
-    ProgressLine line("training on " + std::to_string(episodes.size()) + " episodes");
-    result = core::TrainModel(episodes, options.trainer, [&line](const core::TrainingProgress& progress) {
-      line.Show(progress.fraction_done);
-      return true;
-    });
-  }
+  CheckOutput("--model", arguments.model, arguments.bags.bags);
+  CheckNoRecording(arguments.model);
+  const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  const auto start = std::chrono::steady_clock::now();
+  core::TrainingResult result = TrainWithProgress(episodes, arguments, options.trainer);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.model.provenance.sources = arguments.bags.bags;
   SaveModel(arguments.model, result.model);
-  std::printf("%zu episodes, %zu shapelets, model %s in %s\n", episodes.size(), result.model.shapelets.size(),
-              result.model.id.c_str(), arguments.model.c_str());
+  PrintTraining(result, episodes, seconds);
   PrintClusters(result, episodes);
+  std::printf("Model %s is in %s\n", result.model.id.c_str(), arguments.model.c_str());
   PrintScores(episodes, std::vector<int>(result.labels.data(), result.labels.data() + result.labels.size()));
 }
 

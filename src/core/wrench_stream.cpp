@@ -9,7 +9,12 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
   }
   const SampleTime sample = clock_.Resolve(stamp, arrival);
   if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
-    monitor_.AddOutOfOrder();
+    // A driver without news from its sensor may send the last message again.
+    if (stamp != 0 && stamp == sample.time && monitor_.IsLastForce(force)) {
+      monitor_.AddRepeatedMessage(clock_.FromArrival(arrival));
+    } else {
+      monitor_.AddOutOfOrder();
+    }
     return false;
   }
   if (sample.verdict == SampleTime::Verdict::kJumpedBack) {

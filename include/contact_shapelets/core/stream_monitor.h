@@ -20,15 +20,18 @@ struct StreamSummary {
   int backward_stamps = 0;       ///< stamp before the last one's
   int jumps_back = 0;            ///< time began anew
   int repeated = 0;              ///< same force as the sample before, to the last bit
-  int gaps = 0;                  ///< intervals above three times the mean and above 20 ms
+  int repeated_messages = 0;     ///< dropped: same force and same stamp as the sample before
+  int gaps = 0;                  ///< intervals above three times the typical one and above 20 ms
   double duration = 0.0;         ///< [s] first to last sample
-  double rate = 0.0;             ///< [Hz] mean; 0 with fewer than 2 samples
-  double jitter = 0.0;           ///< [s] standard deviation of the intervals
+  double rate = 0.0;             ///< [Hz] mean outside of gaps; 0 with fewer than 2 samples
+  double jitter = 0.0;           ///< [s] standard deviation of the intervals outside of gaps
   double longest_interval = 0.0; ///< [s]
   double longest_frozen = 0.0;   ///< [s] longest run of one repeated value
   double clock_offset = 0.0;     ///< [s] arrival less stamp
   double least_force = 0.0;      ///< [N] smallest magnitude
   double greatest_force = 0.0;   ///< [N] largest magnitude
+  Eigen::Vector3d least_components = Eigen::Vector3d::Zero();     ///< [N] smallest x, y and z
+  Eigen::Vector3d greatest_components = Eigen::Vector3d::Zero();  ///< [N] largest x, y and z
 };
 
 /// Watches a wrench stream, sample by sample, without allocating.
@@ -40,6 +43,10 @@ class StreamMonitor {
   void AddNotFinite() { ++summary_.not_finite; }
   /// Counts a sample that was dropped since it was out of order.
   void AddOutOfOrder() { ++summary_.out_of_order; }
+  /// Whether `force` is that of the last sample, to the last bit.
+  bool IsLastForce(const Eigen::Vector3d& force) const { return has_last_ && force == last_force_; }
+  /// Counts a message that was dropped since it repeats the last one with its stamp; it came at `time`.
+  void AddRepeatedMessage(Nanoseconds time);
   /// Time began anew: intervals start afresh.
   void JumpBack();
   /// Takes over what the sample clock knows of stamps; `clock_offset` in seconds.
@@ -49,17 +56,29 @@ class StreamMonitor {
   StreamSummary Summary() const;
 
  private:
+  void AddInterval(double interval);
+
   StreamSummary summary_;
   bool has_last_ = false;
   Nanoseconds last_time_ = 0;
   Nanoseconds run_start_ = 0;
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
-  int intervals_ = 0;
+  int intervals_ = 0;  ///< without gaps
+  double typical_interval_ = 0.0;
   double mean_interval_ = 0.0;
   double squared_deviations_ = 0.0;
 };
 
-/// Plain sentences on what is wrong with a stream; empty where nothing is. The first is the gravest.
+/// Something that is wrong with a stream.
+struct StreamFault {
+  std::string text;    ///< what is wrong, with figures
+  std::string remedy;  ///< what to do about it
+};
+
+/// All that is wrong with a stream; empty where nothing is. The first is the gravest.
+std::vector<StreamFault> Faults(const StreamSummary& summary);
+
+/// The texts of Faults().
 std::vector<std::string> Findings(const StreamSummary& summary);
 
 }  // namespace contact_shapelets::core

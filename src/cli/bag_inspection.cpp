@@ -1,0 +1,280 @@
+#include "cli/bag_inspection.h"
+
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <rosbag/view.h>
+#include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "cli/text.h"
+#include "contact_shapelets/core/wrench_stream.h"
+#include "contact_shapelets/ros/action_edges.h"
+#include "contact_shapelets/ros/bag_topics.h"
+#include "contact_shapelets/ros/conversions.h"
+#include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/topics.h"
+
+namespace contact_shapelets::cli {
+namespace {
+
+constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
+constexpr char kEpisodeType[] = "contact_shapelets/Episode";
+constexpr char kModelType[] = "contact_shapelets/ShapeletModel";
+constexpr char kStatusType[] = "actionlib_msgs/GoalStatusArray";
+
+bool IsNamed(const std::string& topic, const char* name) { return FileName(topic) == name; }
+
+/// Whether messages of this topic mark, name or hold episodes.
+bool IsMarker(const std::string& topic, const std::string& type) {
+  return type == "contact_shapelets/EpisodeEvent" || type == kEpisodeType || type == kStatusType || type == kModelType ||
+         (type == "std_msgs/Bool" && IsNamed(topic, topics::kEpisodeActive)) ||
+         (type == "std_msgs/String" && IsNamed(topic, topics::kOutcome));
+}
+
+/// Follows one wrench topic.
+class WrenchFollower {
+ public:
+  explicit WrenchFollower(const core::SegmentationOptions& options) : stream_(options) {}
+
+  void Take(const geometry_msgs::WrenchStamped& wrench, core::Nanoseconds arrival) {
+    if (messages_++ == 0) first_arrival_ = arrival;
+    last_arrival_ = arrival;
+    frames_.insert(wrench.header.frame_id);
+    stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
+  }
+
+  WrenchTopic Result(const std::string& name) const {
+    WrenchTopic topic;
+    topic.name = name;
+    topic.frames.assign(frames_.begin(), frames_.end());
+    topic.messages = messages_;
+    topic.received_duration = 1e-9 * static_cast<double>(last_arrival_ - first_arrival_);
+    topic.stream = stream_.Summary();
+    return topic;
+  }
+
+ private:
+  core::WrenchStream stream_;
+  std::set<std::string> frames_;
+  int messages_ = 0;
+  core::Nanoseconds first_arrival_ = 0;
+  core::Nanoseconds last_arrival_ = 0;
+};
+
+/// Counts what the messages of a marker topic say.
+class MarkerFollower {
+ public:
+  void Take(const rosbag::MessageInstance& message) {
+    if (const auto active = message.instantiate<std_msgs::Bool>()) ++counts_[active->data != 0U ? "true" : "false"];
+    if (const auto outcome = message.instantiate<std_msgs::String>()) ++counts_[outcome->data];
+    if (const auto event = message.instantiate<EpisodeEvent>()) {
+      ++counts_[event->kind == EpisodeEvent::OPEN ? "open" : "close"];
+    }
+    if (const auto status = message.instantiate<actionlib_msgs::GoalStatusArray>()) {
+      ++counts_[AnyGoalActive(*status) ? "with an active goal" : "without"];
+    }
+  }
+  std::string Contents() const { return CountsText(counts_); }
+
+ private:
+  std::map<std::string, int> counts_;
+};
+
+/// Reads a bag's messages once, and takes from it all but the episodes.
+class Reading {
+ public:
+  Reading(const rosbag::Bag& bag, const BagReaderOptions& options, BagInspection* inspection)
+      : options_(options), inspection_(inspection) {
+    std::map<std::string, std::uint32_t> counts;
+    rosbag::View all(bag);
+    for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
+      rosbag::View view(bag, [connection](const rosbag::ConnectionInfo* other) { return other->id == connection->id; });
+      counts[connection->topic] += view.size();
+      if (connection->datatype == kWrenchType) AddWrench(connection->topic);
+    }
+    std::set<std::string> listed;
+    for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
+      if (connection->datatype == kWrenchType || !listed.insert(connection->topic).second) continue;
+      List(*connection, counts[connection->topic]);
+    }
+  }
+
+  void Take(const rosbag::MessageInstance& message) {
+    const auto wrench = wrenches_.find(message.getTopic());
+    if (wrench != wrenches_.end()) {
+      const auto content = message.instantiate<geometry_msgs::WrenchStamped>();
+      if (!content) throw std::runtime_error(message.getTopic() + " holds " + kWrenchType + " of another version");
+      wrench->second->Take(*content, ToNanoseconds(message.getTime()));
+    }
+    const auto marker = markers_.find(message.getTopic());
+    if (marker != markers_.end()) marker->second.Take(message);
+  }
+
+  void Finish() {
+    for (const auto& [name, wrench] : wrenches_) inspection_->wrenches.push_back(wrench->Result(name));
+    for (OtherTopic& marker : inspection_->markers) marker.contents = markers_[marker.name].Contents();
+  }
+
+ private:
+  void AddWrench(const std::string& topic) {
+    const std::string& wanted = options_.wrench_topic;
+    if (!wanted.empty() && topic != wanted && topic != "/" + wanted) return;
+    wrenches_[topic] = std::make_unique<WrenchFollower>(options_.segmentation);
+  }
+
+  void List(const rosbag::ConnectionInfo& connection, std::uint32_t messages) {
+    const OtherTopic topic{connection.topic, connection.datatype, messages, ""};
+    if (IsMarker(topic.name, topic.type)) {
+      inspection_->markers.push_back(topic);
+      markers_[topic.name] = MarkerFollower();
+      return;
+    }
+    inspection_->others.push_back(topic);
+    if (connection.msg_def.find("geometry_msgs/Wrench") != std::string::npos) {
+      inspection_->problems.push_back(
+          {topic.name + " holds a wrench, but within " + topic.type,
+           std::string("record the driver's ") + kWrenchType + " topic, or republish it as one by wrench_adapter_node"});
+    }
+  }
+
+  const BagReaderOptions& options_;
+  BagInspection* inspection_;
+  std::map<std::string, std::unique_ptr<WrenchFollower>> wrenches_;
+  std::map<std::string, MarkerFollower> markers_;
+};
+
+/// The episodes of the bag by the given way of cutting, or why there is none.
+EpisodesFound FindEpisodes(const std::string& path, const std::string& way, const BagReaderOptions& options) {
+  EpisodesFound found;
+  found.way = way;
+  try {
+    BagContents contents = ReadEpisodes(path, options);
+    found.episodes = std::move(contents.episodes);
+    found.dropped = contents.dropped_episodes;
+  } catch (const std::exception& error) {
+    found.reason = error.what();
+    for (const std::string& prefix : {path + ": ", std::string("expected at least one episode, but ")}) {
+      if (found.reason.compare(0, prefix.size(), prefix) == 0) found.reason.erase(0, prefix.size());
+    }
+  }
+  return found;
+}
+
+bool HasMarker(const BagInspection& inspection, const std::string& type, const char* name) {
+  const auto fits = [&](const OtherTopic& topic) {
+    return topic.type == type && (name == nullptr || IsNamed(topic.name, name));
+  };
+  return std::any_of(inspection.markers.begin(), inspection.markers.end(), fits);
+}
+
+void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspection* inspection) {
+  if (HasMarker(*inspection, kEpisodeType, topics::kEpisode) && options.wrench_topic.empty()) {
+    inspection->recorded.push_back(FindEpisodes(path, "recorded", options));
+  }
+  const bool edges = HasMarker(*inspection, "contact_shapelets/EpisodeEvent", topics::kEpisodeEvent) ||
+                     HasMarker(*inspection, "std_msgs/Bool", topics::kEpisodeActive);
+  for (WrenchTopic& wrench : inspection->wrenches) {
+    options.wrench_topic = wrench.name;
+    const auto find = [&](bool possible, const char* way, core::Segmentation segmentation, const char* reason) {
+      options.segmentation.segmentation = segmentation;
+      wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, reason});
+    };
+    find(edges, "trigger", core::Segmentation::kTrigger, "no episode_active (std_msgs/Bool) or episode_event topic");
+    find(true, "contact", core::Segmentation::kContact, "");
+    find(HasMarker(*inspection, kStatusType, nullptr), "action", core::Segmentation::kAction,
+         "no actionlib_msgs/GoalStatusArray topic");
+  }
+}
+
+void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<Problem>* problems) {
+  const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),
+                                        [](const core::Episode& episode) { return !episode.complete; });
+  if (incomplete > 0) {
+    problems->push_back({where + Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete (" + found.way + ")",
+                         "samples are missing within, or the recording ended first: leave the bag open longer"});
+  }
+  if (found.dropped > 0) {
+    problems->push_back({where + Count(static_cast<std::size_t>(found.dropped), "episode") + " dropped (" + found.way + ")",
+                         "shorter than min_duration or without a sample: check that trigger and wrench overlap"});
+  }
+}
+
+void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& options, std::vector<Problem>* problems) {
+  for (const WrenchTopic& wrench : inspection.wrenches) {
+    for (const core::StreamFault& fault : core::Faults(wrench.stream)) {
+      problems->push_back({wrench.name + ": " + fault.text, fault.remedy});
+    }
+    if (wrench.stream.rate > 0.0 && wrench.stream.rate * options.segmentation.sample_period < 0.3) {
+      problems->push_back({wrench.name + ": " + Number(wrench.stream.rate, 1) + " Hz is slow for a sample_period of " +
+                               Number(options.segmentation.sample_period, 3) + " s",
+                           "raise the driver's rate to 30 Hz or more, or sample_period"});
+    }
+    for (const EpisodesFound& found : wrench.found) {
+      if (found.way != "contact") JudgeEpisodes(wrench.name + ": ", found, problems);
+    }
+  }
+  if (inspection.wrenches.size() > 1) {
+    problems->push_back({"several topics of type " + std::string(kWrenchType), "choose one by --wrench-topic"});
+  }
+}
+
+void Judge(const BagReaderOptions& options, BagInspection* inspection) {
+  std::vector<Problem>& problems = inspection->problems;
+  if (inspection->messages == 0) problems.push_back({"the bag holds no message", "record again"});
+  if (inspection->model || inspection->messages == 0) return;
+  JudgeWrenches(*inspection, options, &problems);
+  for (const EpisodesFound& found : inspection->recorded) JudgeEpisodes("", found, &problems);
+  if (!inspection->recorded.empty()) return;
+  if (inspection->wrenches.empty()) {
+    problems.push_back({"no topic of type " + std::string(kWrenchType) + " or " + kEpisodeType,
+                        "record the driver's wrench topic (rostopic list -v names the types)"});
+    return;
+  }
+  const std::vector<EpisodesFound>& found = inspection->wrenches.front().found;
+  const auto has_episodes = [](const EpisodesFound& way) { return way.way != "contact" && !way.episodes.empty(); };
+  if (std::none_of(found.begin(), found.end(), has_episodes)) {
+    const bool contact = std::any_of(found.begin(), found.end(), [](const auto& way) { return !way.episodes.empty(); });
+    problems.push_back({"no episode markers", contact ? "record episode_active beside the wrench, or use --segmentation contact"
+                                                      : "record episode_active (std_msgs/Bool) beside the wrench"});
+  } else if (!HasMarker(*inspection, "std_msgs/String", topics::kOutcome)) {
+    problems.push_back({"no outcome topic", "not needed to train; without it, clusters are named by hand and not scored"});
+  }
+}
+
+}  // namespace
+
+BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
+  rosbag::Bag bag;
+  OpenBag(path, &bag);
+  BagInspection inspection;
+  inspection.size = bag.getSize();
+  try {
+    rosbag::View view(bag);
+    inspection.messages = view.size();
+    if (inspection.messages > 0) {
+      inspection.begin = ToNanoseconds(view.getBeginTime());
+      inspection.end = ToNanoseconds(view.getEndTime());
+    }
+    Reading reading(bag, options, &inspection);
+    double taken = 0.0;
+    for (const rosbag::MessageInstance& message : view) {
+      reading.Take(message);
+      if (progress && static_cast<int>(++taken) % 4096 == 0) progress(taken / inspection.messages);
+    }
+    reading.Finish();
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  if (HasMarker(inspection, kModelType, nullptr)) inspection.model = LoadModel(path);
+  FindAllEpisodes(path, options, &inspection);
+  Judge(options, &inspection);
+  return inspection;
+}
+
+}  // namespace contact_shapelets::cli

@@ -1,0 +1,68 @@
+#include "cli/episode_table.h"
+
+#include <fstream>
+#include <iomanip>
+#include <stdexcept>
+
+#include "contact_shapelets/core/parallel.h"
+
+namespace contact_shapelets::cli {
+namespace {
+
+std::string Quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+/// All nine decimals, which a double at today's date has not.
+std::string ExactSeconds(core::Nanoseconds time) {
+  const std::string decimals = std::to_string(time % 1'000'000'000);
+  return std::to_string(time / 1'000'000'000) + "." + std::string(9 - decimals.size(), '0') + decimals;
+}
+
+}  // namespace
+
+std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier,
+                                              const std::vector<core::Episode>& episodes, int threads) {
+  std::vector<core::Classification> results(episodes.size());
+  core::ParallelFor(static_cast<int>(episodes.size()), core::ThreadCount(threads), [&](int index) {
+    const core::Episode& episode = episodes[static_cast<std::size_t>(index)];
+    try {
+      results[static_cast<std::size_t>(index)] = classifier.Classify(episode);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("episode " + episode.id + ": " + error.what());
+    }
+  });
+  return results;
+}
+
+std::vector<int> NearestClusters(const std::vector<core::Classification>& results) {
+  std::vector<int> clusters;
+  for (const core::Classification& result : results) clusters.push_back(result.diagnosis.nearest_cluster);
+  return clusters;
+}
+
+void WriteCsv(const std::string& path, const std::vector<core::Episode>& episodes,
+              const std::vector<core::Classification>& results) {
+  std::ofstream file(path);
+  file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
+  const Eigen::Index shapelets = results.empty() ? 0 : results.front().features.distances.size();
+  for (Eigen::Index k = 0; k < shapelets; ++k) file << ",d" << k;
+  file << '\n' << std::setprecision(9);
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    const core::Episode& episode = episodes[index];
+    const core::Diagnosis& diagnosis = results[index].diagnosis;
+    file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ','
+         << episode.duration() << ',' << episode.force.size() << ',' << Quoted(episode.outcome) << ','
+         << diagnosis.cluster << ',' << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ','
+         << diagnosis.novelty;
+    for (const float distance : results[index].features.distances) file << ',' << distance;
+    file << '\n';
+  }
+  file.close();
+  if (!file) throw std::runtime_error(path + ": the CSV cannot be written");
+}
+
+}  // namespace contact_shapelets::cli

@@ -1,0 +1,81 @@
+#include "cli/report_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "cli/common.h"
+#include "cli/episode_table.h"
+#include "cli/report_page.h"
+#include "cli/text.h"
+#include "contact_shapelets/core/series.h"
+#include "contact_shapelets/ros/model_bag.h"
+
+namespace contact_shapelets::cli {
+namespace {
+
+struct Arguments {
+  BagArguments bags;
+  std::string model;
+  std::string folder;
+};
+
+std::vector<Eigen::VectorXf> SeriesOf(const std::vector<core::Episode>& episodes, double sample_period) {
+  std::vector<Eigen::VectorXf> series;
+  for (const core::Episode& episode : episodes) {
+    const auto length = static_cast<int>(std::lround(episode.duration() / sample_period));
+    series.push_back(core::StretchedTo(episode.force, std::max(2, length)));
+  }
+  return series;
+}
+
+void CreateFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::runtime_error("--out " + folder + ": expected a folder, but it cannot be made: " + error.message());
+  }
+}
+
+void Report(const Arguments& arguments) {
+  Options options = ReadOptions(arguments.bags);
+  const core::Classifier classifier(LoadModel(arguments.model));
+  ReportContents contents;
+  contents.model = classifier.model();
+  contents.model_file = arguments.model;
+  contents.bags = arguments.bags.bags;
+  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = contents.model.sample_period;
+  CreateFolder(arguments.folder);
+  const std::string page_path = (std::filesystem::path(arguments.folder) / "index.html").string();
+  const std::string table_path = (std::filesystem::path(arguments.folder) / "episodes.csv").string();
+  CheckOutput("--out", page_path, contents.bags);
+  contents.episodes = ReadBags(contents.bags, options.reader);
+  contents.results = ClassifyAll(classifier, contents.episodes, options.trainer.threads);
+  contents.series = SeriesOf(contents.episodes, contents.model.sample_period);
+
+  WriteCsv(table_path, contents.episodes, contents.results);
+  std::ofstream page(page_path);
+  page << ReportPage(contents);
+  page.close();
+  if (!page) throw std::runtime_error(page_path + ": the report cannot be written");
+  std::printf("%s in %s and %s\n", Count(contents.episodes.size(), "episode").c_str(), page_path.c_str(),
+              table_path.c_str());
+  PrintScores(contents.episodes, NearestClusters(contents.results));
+}
+
+}  // namespace
+
+void AddReportCommand(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("report", "Writes a page on what a model makes of bags");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("model", arguments->model, "The model file")->required();
+  AddBagArguments(command, &arguments->bags);
+  command->add_option("--out", arguments->folder, "The folder to write index.html and episodes.csv to")->required();
+  command->callback([arguments] { Report(*arguments); });
+}
+
+}  // namespace contact_shapelets::cli

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/classifier.h"
+#include "contact_shapelets/core/episode.h"
+
+/// \file
+/// The report on a model and on the episodes that it was applied to, as one HTML page that needs no other file.
+
+namespace contact_shapelets::cli {
+
+/// What a report is about.
+struct ReportContents {
+  core::Model model;
+  std::string model_file;
+  std::vector<std::string> bags;
+  std::vector<core::Episode> episodes;        ///< at least one
+  std::vector<core::Classification> results;  ///< one per episode
+  std::vector<Eigen::VectorXf> series;        ///< their forces [N] at the model's sample period
+};
+
+/// The page: what was found, the model's provenance, agreement with the outcomes, the clusters with typical force curves
+/// and their most telling shapelets, novel episodes, and all episodes as a table.
+std::string ReportPage(const ReportContents& contents);
+
+}  // namespace contact_shapelets::cli
