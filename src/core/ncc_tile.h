@@ -3,47 +3,85 @@
 /// \file
 /// The inner loops of the transform-free kernel, built once per instruction set. Plain pointers only: inline code of the
 /// standard library or of Eigen, built here with wide vectors, could end up in programs on machines without them.
+///
+/// Loops go over tiles: neighbouring positions of the shapelet's first sample, of which a few vectors stay in registers
+/// while the overlap changes. Position p and an overlap of L samples belong to one window: p + L - M where the shapelet's
+/// first L samples overlap (w > 0), p + M - L where its last L do (w < 0). The second case is the first one mirrored, so both
+/// share their loops: `direction` is 1 or -1, and arrays by overlap begin at the end of the shapelet that always overlaps.
 
 namespace contact_shapelets::core::tile {
 
-/// Shapelets that share a pass over the series: their values are interleaved, shapelet by shapelet for each sample.
+/// Shapelets whose values are interleaved, sample by sample, and that share a pass of full overlaps.
 constexpr int kGroup = 4;
-/// Readable floats that every array must have behind its last used value, and that positions are rounded up to.
+/// Shapelets of a group that share a pass of partial overlaps.
+constexpr int kPair = 2;
+/// Readable floats that arrays by position or window have before their first and behind their last used value.
 constexpr int kPadding = 64;
 
-/// sums[i * stride + p] = sum_m shapelets[kGroup m + i] series[p + m], for 0 <= p < count (rounded up), i < kGroup.
-using FullOverlap = void (*)(const float* series, const float* shapelets, int length, int count, int stride,
-                             float* sums);
-
-/// Partial overlaps, from the one before the full one downward, `steps` of them.
-///
-/// At step n the sample `first + direction n` of each shapelet leaves the overlap, and position p belongs to the window
-/// p + window + direction n; the windows' scale is 1 / (M sigma), their offset mu / (M sigma). With A the sum that is left
-/// and S[n] the sum of the shapelet's values within, the value is A scale - S[n] offset; greatest[i stride + p] becomes the
-/// largest one over all steps, at least 0. `within` is interleaved as the shapelets are.
-struct PartialArguments {
+/// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count, rounded up to
+/// whole tiles, and the largest sum times scale.
+struct FullArguments {
   const float* series;     ///< at position 0
-  const float* shapelets;  ///< interleaved
-  const float* within;     ///< [steps], interleaved
-  const float* scale;      ///< of window 0
-  const float* offset;     ///< of window 0
-  const float* sums;       ///< full overlaps at position 0
-  float* greatest;         ///< at position 0
-  int first;
-  int direction;
-  int window;
-  int steps;
-  int begin;   ///< first position
-  int count;   ///< positions (rounded up)
-  int stride;  ///< between shapelets in `sums` and `greatest`
+  const float* shapelets;  ///< of the group
+  const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
+  float* sums;
+  int length;
+  int count;
+  int stride;
 };
-using PartialOverlaps = void (*)(const PartialArguments& arguments);
+struct FullResult {
+  float most[kGroup];    ///< at least 0
+  int position[kGroup];  ///< of `most`; -1 where it is 0
+};
+
+/// Partial overlaps of a pair of shapelets.
+struct PartialArguments {
+  const float* values;   ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
+  const float* within;   ///< by overlap from 0: the sum of the shapelet's values within, interleaved
+  const float* energy;   ///< by block of overlaps: the largest part of the shapelet's energy within, interleaved
+  const float* samples;  ///< of the series: the overlap's last sample at position 0 and overlap 1
+  const float* mean;     ///< mu of the window of position 0 and overlap 0
+  const float* spread;   ///< M sigma of that window; huge where a window does not count
+  const float* scale;    ///< 1 / (M sigma) of that window; 0 where a window does not count
+  const float* sums;     ///< full overlaps at position 0
+  const float* bounds;   ///< by tile and block: the largest part of a window's energy within the overlap
+  int length;            ///< M
+  int block;             ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
+  int blocks;            ///< in the M - 1 overlaps
+  int direction;
+  int stride;        ///< between the shapelets in `sums`
+  int full_tiles;    ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  float best[kPair];  ///< what a value must exceed, above 0
+};
+/// A value, and where it is.
+struct TileResult {
+  float value;
+  int position;
+  int overlap;
+};
+
+/// What makes the table of bounds: sums over the first q samples of a series, and the windows.
+struct EnergyArguments {
+  const double* sums;     ///< of the values, by q
+  const double* squares;  ///< of their squares, by q
+  const double* mean;     ///< mu by window
+  const double* scale;    ///< 1 / (M sigma^2) by window; 0 where a window does not count
+  int first;              ///< sample of window 0 that the overlap begins with
+  int overlap;
+  int count;              ///< windows, rounded up to whole tiles
+};
 
 /// The loops for one instruction set.
 struct Loops {
   const char* name;
-  FullOverlap full_overlap;
-  PartialOverlaps partial_overlaps;
+  int positions;  ///< in a tile
+  void (*full_overlaps)(const FullArguments& arguments, FullResult* result);
+  /// The first tile of tile ... end - 1 in which a shapelet of the pair exceeds its `best`; `end` where there is none.
+  int (*find_better)(const PartialArguments& arguments, int tile, int end);
+  /// The largest value of one shapelet of the pair in a tile, among those that the bounds leave.
+  void (*most_in_tile)(const PartialArguments& arguments, int shapelet, int tile, TileResult* result);
+  /// energies[j] = the part of window j's energy, [0, 1], within the overlap.
+  void (*window_energies)(const EnergyArguments& arguments, float* energies);
 };
 
 /// What every machine of this architecture runs.

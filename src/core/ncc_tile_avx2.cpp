@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::core::tile {
 
-Loops Avx2Loops() { return {"avx2", TileLoops<8, 2>::FullOverlap, TileLoops<8, 1>::PartialOverlaps}; }
+Loops Avx2Loops() { return TileLoops<8, 2, 2>::All("avx2"); }
 
 }  // namespace contact_shapelets::core::tile
 

@@ -2,9 +2,6 @@
 
 namespace contact_shapelets::core::tile {
 
-Loops BaselineLoops() {
-  // Sixteen registers of four floats hold one vector each of sums and maxima for four shapelets.
-  return {"baseline", TileLoops<4, 2>::FullOverlap, TileLoops<4, 1>::PartialOverlaps};
-}
+Loops BaselineLoops() { return TileLoops<4, 2, 2>::All("baseline"); }
 
 }  // namespace contact_shapelets::core::tile

@@ -5,6 +5,7 @@
 
 #include "contact_shapelets/core/ncc.h"
 #include "contact_shapelets/core/series.h"
+#include "core/ncc_prepared.h"
 
 namespace contact_shapelets::core {
 
@@ -55,6 +56,7 @@ ShapeletSet::ShapeletSet(const Eigen::Ref<const Eigen::MatrixXf>& shapelets)
   for (Eigen::Index row = 0; row < shapelets.rows(); ++row) {
     normalised_.col(row) = ZNormalised(shapelets.row(row).transpose());
   }
+  prepared_ = std::make_shared<const PreparedShapelets>(normalised_);
 }
 
 }  // namespace contact_shapelets::core

@@ -18,6 +18,8 @@
 
 namespace contact_shapelets::core {
 
+struct PreparedShapelets;
+
 /// The best match of one shapelet within one series.
 struct Match {
   float similarity = -1.0F;   ///< max_j max_w CC_w, in [-1, 1]; -1 where no window counts
@@ -62,7 +64,7 @@ class WindowSet {
   Eigen::VectorXd inverse_deviation_;
 };
 
-/// Shapelets of one length, prepared for matching: z-normalised, with the energies that bound a partial overlap.
+/// Shapelets of one length, z-normalised and prepared for matching.
 class ShapeletSet {
  public:
   /// Takes `shapelets` [K, M], one per row, and z-normalises each row. A row of equal values matches nothing.
@@ -75,9 +77,12 @@ class ShapeletSet {
   int length() const { return static_cast<int>(normalised_.rows()); }
   /// The z-normalised shapelets [M, K], one per column; a column of zeros where the shapelet was constant.
   const Eigen::MatrixXf& normalised() const { return normalised_; }
+  /// The shapelets laid out for FindBestMatches(), with the energies that bound a partial overlap; shared between copies.
+  const PreparedShapelets& prepared() const { return *prepared_; }
 
  private:
   Eigen::MatrixXf normalised_;
+  std::shared_ptr<const PreparedShapelets> prepared_;
 };
 
 /// The definition, evaluated sum by sum in double precision: O(J M^2) per shapelet. For tests and as the benchmark's floor.
