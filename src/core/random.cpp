@@ -16,7 +16,8 @@ std::vector<int> Random::Sample(int count, int chosen) {
   std::vector<int> indices(static_cast<std::size_t>(count));
   std::iota(indices.begin(), indices.end(), 0);
   for (int drawn = 0; drawn < chosen; ++drawn) {
-    std::swap(indices[static_cast<std::size_t>(drawn)], indices[static_cast<std::size_t>(drawn + Index(count - drawn))]);
+    std::swap(indices[static_cast<std::size_t>(drawn)],
+              indices[static_cast<std::size_t>(drawn + Index(count - drawn))]);
   }
   indices.resize(static_cast<std::size_t>(chosen));
   return indices;
