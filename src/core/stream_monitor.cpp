@@ -17,11 +17,24 @@ constexpr double kOffsetSeconds = 0.5;
 
 double Seconds(Nanoseconds time) { return 1e-9 * static_cast<double>(time); }
 
+/// Three digits, or all before the point: nobody reads 7.2e+03 s.
+std::string Shown(double value) {
+  std::ostringstream text;
+  if (std::abs(value) >= 1000.0) {
+    text << std::llround(value);
+  } else {
+    text << std::setprecision(3) << value;
+  }
+  return text.str();
+}
+
+const char* Shown(const char* text) { return text; }
+int Shown(int count) { return count; }
+
 template <typename... Parts>
 std::string Text(const Parts&... parts) {
   std::ostringstream text;
-  text << std::setprecision(3);
-  (text << ... << parts);
+  (text << ... << Shown(parts));
   return text.str();
 }
 
@@ -80,9 +93,9 @@ void StreamMonitor::JumpBack() {
   has_last_ = false;
 }
 
-void StreamMonitor::SetStamps(int zero_stamps, int backward_stamps, double clock_offset) {
+void StreamMonitor::SetStamps(int zero_stamps, int wrong_stamps, double clock_offset) {
   summary_.zero_stamps = zero_stamps;
-  summary_.backward_stamps = backward_stamps;
+  summary_.wrong_stamps = wrong_stamps;
   summary_.clock_offset = clock_offset;
 }
 
@@ -105,7 +118,8 @@ std::vector<StreamFault> Faults(const StreamSummary& summary) {
   const double repeated_part = compared > 0 ? static_cast<double>(repeated) / compared : 0.0;
   const bool all_frozen = compared > 0 && repeated == compared;
   const bool frozen = all_frozen || summary.longest_frozen >= kFrozenSeconds;
-  const char* const check_sensor = "check the sensor, its cable and its driver; such episodes say nothing, leave them out";
+  const char* const check_sensor =
+      "check the sensor, its cable and its driver; such episodes say nothing, leave them out";
   find(summary.samples == 0, "no usable sample", "check that the driver publishes while recording");
   find(all_frozen, "frozen sensor: one value for its whole length", check_sensor);
   find(frozen && !all_frozen, Text("frozen sensor: one value for ", summary.longest_frozen, " s"), check_sensor);
@@ -119,12 +133,14 @@ std::vector<StreamFault> Faults(const StreamSummary& summary) {
        "look for two publishers on the topic, or a driver that stamps wrongly");
   find(summary.zero_stamps > 0, Text(summary.zero_stamps, " samples without a stamp: arrival times are used"),
        "let the driver set header.stamp: arrival times carry the network's jitter");
-  find(summary.backward_stamps > 0, Text(summary.backward_stamps, " stamps ran backward: arrival times are used"),
+  find(summary.wrong_stamps > 0,
+       Text(summary.wrong_stamps, " stamps ran backward, stood still or leapt ahead: arrival times are used"),
        "synchronise the controller's clock, and record one run per bag");
   find(summary.jumps_back > 0, Text("time jumped back ", summary.jumps_back, " times"),
        "record one run per bag, without a replay that loops");
-  find(summary.gaps > 0, Text(summary.gaps, " gaps, the longest of ", summary.longest_interval, " s"),
-       "harmless between episodes; within one it is marked as incomplete: check network and recorder for lost messages");
+  find(
+      summary.gaps > 0, Text(summary.gaps, " gaps, the longest of ", summary.longest_interval, " s"),
+      "harmless between episodes; within one it is marked as incomplete: check network and recorder for lost messages");
   // A frozen stamp ages: that says nothing of the clocks.
   find(!all_frozen && std::abs(summary.clock_offset) > kOffsetSeconds,
        Text("stamps are ", std::abs(summary.clock_offset), summary.clock_offset > 0.0 ? " s behind" : " s ahead of",

@@ -7,14 +7,14 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
     monitor_.AddNotFinite();
     return false;
   }
+  // A driver without news from its sensor may send the last message again.
+  if (clock_.IsLastStamp(stamp) && monitor_.IsLastForce(force)) {
+    monitor_.AddRepeatedMessage(clock_.FromArrival(arrival));
+    return false;
+  }
   const SampleTime sample = clock_.Resolve(stamp, arrival);
   if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
-    // A driver without news from its sensor may send the last message again.
-    if (stamp != 0 && stamp == sample.time && monitor_.IsLastForce(force)) {
-      monitor_.AddRepeatedMessage(clock_.FromArrival(arrival));
-    } else {
-      monitor_.AddOutOfOrder();
-    }
+    monitor_.AddOutOfOrder();
     return false;
   }
   if (sample.verdict == SampleTime::Verdict::kJumpedBack) {
@@ -37,12 +37,16 @@ void WrenchStream::AddCommand(bool open, Nanoseconds arrival) {
 }
 
 void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival) {
-  segmenter_.AddEdge({open, stamp, EdgeSource::kStamped, id}, clock_.FromArrival(arrival));
+  const Nanoseconds now = clock_.FromArrival(arrival);
+  // A publisher that forgot the stamp is as good as one that has none.
+  segmenter_.AddEdge(
+      stamp == 0 ? EpisodeEdge{open, now, EdgeSource::kPlain, id} : EpisodeEdge{open, stamp, EdgeSource::kStamped, id},
+      now);
 }
 
 StreamSummary WrenchStream::Summary() const {
   StreamMonitor monitor = monitor_;
-  monitor.SetStamps(clock_.zero_stamps(), clock_.backward_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
+  monitor.SetStamps(clock_.zero_stamps(), clock_.wrong_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
   return monitor.Summary();
 }
 

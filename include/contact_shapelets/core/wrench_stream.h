@@ -8,8 +8,8 @@
 #include "contact_shapelets/core/stream_monitor.h"
 
 /// \file
-/// All that happens to a wrench stream before the classifier: clock, health, segmentation. The episode node feeds it from
-/// subscribers, the reader of bags from files, so that both give the same episodes.
+/// All that happens to a wrench stream before the classifier: clock, health, segmentation. The episode node feeds it
+/// from subscribers, the reader of bags from files, so that both give the same episodes.
 
 namespace contact_shapelets::core {
 
@@ -26,7 +26,7 @@ class WrenchStream {
   void AddPlainEdge(bool open, Nanoseconds arrival);
   /// Takes a service call at `arrival`.
   void AddCommand(bool open, Nanoseconds arrival);
-  /// Takes an edge with a `stamp` on the clock of the wrench.
+  /// Takes an edge with a `stamp` on the clock of the wrench; one with a stamp of 0 counts as one without.
   void AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival);
   /// Lets time pass.
   void AdvanceTo(Nanoseconds arrival) { segmenter_.AdvanceTo(clock_.FromArrival(arrival)); }
