@@ -18,6 +18,10 @@ std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSa
   const double interval = 1e-9 * static_cast<double>(sample.time - last_time_);
   last_time_ = sample.time;
   last_force_ = sample.force;
+  if (free_air_ && (sample.force - *free_air_).norm() < options_.contact_off) {
+    baseline_ = *free_air_;
+    free_air_.reset();
+  }
   const double magnitude = (sample.force - baseline_).norm();
   const bool beyond = in_contact_ ? magnitude < options_.contact_off : magnitude > options_.contact_on;
   if (!beyond) {
@@ -37,6 +41,7 @@ std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSa
 }
 
 void ContactDetector::EndContact() {
+  if (in_contact_) free_air_ = baseline_;
   in_contact_ = false;
   crossing_ = false;
   baseline_ = last_force_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -64,7 +65,10 @@ void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   last_arrival_ = now;
   if (options_.segmentation == Segmentation::kContact) {
     const std::optional<ContactDetector::Change> change = contact_.AddSample(sample);
-    if (change && change->contact && !IsOpen()) Open({true, change->time, EdgeSource::kContact, ""});
+    // Two contacts close to each other share no sample, or the first would be in the tare of the second.
+    if (change && change->contact && !IsOpen()) {
+      Open({true, std::max(change->time, last_close_), EdgeSource::kContact, ""});
+    }
     if (change && !change->contact) Close(change->time, EndReason::kContact, now);
   }
   if (IsOpen() && sample.time - intervals_.back().open >= FromSeconds(options_.max_duration)) {
@@ -73,18 +77,18 @@ void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   FinishReady(now);
 }
 
-void EpisodeSegmenter::AddEdge(const EpisodeEdge& edge, Nanoseconds now) {
-  const bool command = edge.source == EdgeSource::kCommand;
-  if (options_.segmentation == Segmentation::kContact && !command) return;
-  if (edge.source == EdgeSource::kPlain && stamped_seen_) return;
+void EpisodeSegmenter::AddEdge(const EpisodeEdge& arrived, Nanoseconds now) {
+  if (options_.segmentation == Segmentation::kContact && arrived.source != EdgeSource::kCommand) return;
+  if (arrived.source == EdgeSource::kPlain && stamped_seen_) return;
+  EpisodeEdge edge = arrived;
+  // Such a stamp comes from another clock: no sample has a time near it.
+  const bool wrong_stamp = edge.time > now + FromSeconds(options_.stream_timeout) ||
+                           edge.time < now - FromSeconds(options_.max_duration + options_.stream_timeout);
+  if (wrong_stamp && last_arrival_ > 0) edge.time = now;
   if (edge.source == EdgeSource::kStamped) {
     stamped_seen_ = true;
-    const bool replaces = edge.open && IsOpen() && intervals_.back().opened_plain &&
-                          std::abs(edge.time - intervals_.back().open) <= FromSeconds(options_.edge_match_window);
-    if (replaces) {
-      intervals_.back().open = edge.time;
-      intervals_.back().opened_plain = false;
-    }
+    if (IsStale(edge)) return;
+    if (edge.open && IsOpen()) CorrectOpening(edge);
   }
   if (edge.open && !IsOpen()) Open(edge);
   if (!edge.open) Close(edge.time, EndReason::kTrigger, now);
@@ -105,6 +109,7 @@ void EpisodeSegmenter::Restart() {
   contact_ = ContactDetector(options_);
   stamped_seen_ = false;
   last_arrival_ = 0;
+  last_close_ = std::numeric_limits<Nanoseconds>::min();
 }
 
 void EpisodeSegmenter::Finish() {
@@ -140,11 +145,23 @@ std::vector<Episode> EpisodeSegmenter::TakeEpisodes() { return std::exchange(epi
 
 std::vector<EpisodeEdge> EpisodeSegmenter::TakeEdges() { return std::exchange(edges_, {}); }
 
+bool EpisodeSegmenter::IsStale(const EpisodeEdge& edge) const {
+  return edge.open ? !IsOpen() && edge.time < last_close_ : edge.time <= last_close_;
+}
+
+void EpisodeSegmenter::CorrectOpening(const EpisodeEdge& edge) {
+  Interval& interval = intervals_.back();
+  const Nanoseconds difference = std::abs(edge.time - interval.open);
+  if (difference == 0 || difference > FromSeconds(options_.edge_match_window) || edge.time < last_close_) return;
+  interval.open = edge.time;
+  interval.id = edge.id.empty() ? NameByTime(edge.time) : edge.id;
+  edges_.push_back({true, edge.time, edge.source, interval.id});
+}
+
 void EpisodeSegmenter::Open(const EpisodeEdge& edge) {
   Interval interval;
   interval.id = edge.id.empty() ? NameByTime(edge.time) : edge.id;
   interval.open = edge.time;
-  interval.opened_plain = edge.source == EdgeSource::kPlain;
   intervals_.push_back(interval);
   edges_.push_back({true, edge.time, edge.source, interval.id});
 }
@@ -153,8 +170,10 @@ void EpisodeSegmenter::Close(Nanoseconds time, EndReason reason, Nanoseconds now
   if (!IsOpen()) return;
   Interval& interval = intervals_.back();
   interval.closed = true;
-  interval.close = std::max(time, interval.open);
-  interval.deadline = now + FromSeconds(options_.edge_wait);
+  interval.close = std::clamp(time, interval.open, interval.open + FromSeconds(options_.max_duration));
+  // An edge that is stamped ahead of its arrival waits for the samples up to its stamp.
+  interval.deadline = std::max(now, interval.close) + FromSeconds(options_.edge_wait);
+  last_close_ = std::max(last_close_, std::min(time, interval.close));
   interval.reason = reason;
   const EdgeSource source = reason == EndReason::kContact ? EdgeSource::kContact : EdgeSource::kCommand;
   edges_.push_back({false, interval.close, source, interval.id});
@@ -198,8 +217,8 @@ Episode EpisodeSegmenter::Cut(const Interval& interval, const std::vector<Wrench
   episode.frame_id = frame_id_;
   episode.start = interval.open;
   episode.sample_period = options_.sample_period;
-  episode.force = ResampledMagnitude(samples, interval.open, interval.close, options_.sample_period,
-                                     TareOf(interval, samples));
+  episode.force =
+      ResampledMagnitude(samples, interval.open, interval.close, options_.sample_period, TareOf(interval, samples));
   episode.complete = interval.reason != EndReason::kStream && !HasGap(interval, samples);
   episode.end_reason = interval.reason;
   return episode;

@@ -10,7 +10,9 @@ namespace {
 /// Walks along the interpolant and integrates it exactly; positions only go forward.
 class Integrator {
  public:
-  Integrator(const std::vector<WrenchSample>& samples, Nanoseconds origin) : samples_(samples), origin_(origin) {}
+  Integrator(const std::vector<WrenchSample>& samples, Nanoseconds origin) : samples_(samples), origin_(origin) {
+    while (next_ < samples_.size() && samples_[next_].time <= origin_) ++next_;
+  }
 
   /// Integral of each component from the last position to `position` [s from the origin].
   Eigen::Vector3d To(double position) {

@@ -23,8 +23,7 @@ std::string SegmentationOptions::Faults() const {
   require(contact_hold_on >= 0.0 && contact_hold_on <= 1.0, "contact_hold_on", "in [0, 1] s", contact_hold_on);
   require(contact_hold_off >= 0.0 && contact_hold_off <= 10.0, "contact_hold_off", "in [0, 10] s", contact_hold_off);
   require(pre_trigger >= 0.0 && pre_trigger <= 10.0, "pre_trigger", "in [0, 10] s", pre_trigger);
-  require(baseline_duration > 0.0 && baseline_duration <= 60.0, "baseline_duration", "in (0, 60] s",
-          baseline_duration);
+  require(baseline_duration > 0.0 && baseline_duration <= 60.0, "baseline_duration", "in (0, 60] s", baseline_duration);
   return faults.str();
 }
 

@@ -27,16 +27,18 @@ class ContactDetector {
   std::optional<Change> AddSample(const WrenchSample& sample);
 
   /// Ends the contact and takes the present force for the new baseline, so that a lasting force does not trigger again.
+  /// The old baseline returns once the force is within contact_off of it: letting go is no contact.
   void EndContact();
 
  private:
   SegmentationOptions options_;
   bool started_ = false;
   bool in_contact_ = false;
-  bool crossing_ = false;           ///< the force is beyond the threshold that would change the state
+  bool crossing_ = false;  ///< the force is beyond the threshold that would change the state
   Nanoseconds crossing_since_ = 0;
   Nanoseconds last_time_ = 0;
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> free_air_;  ///< the baseline before a contact that was ended by EndContact()
   Eigen::Vector3d baseline_ = Eigen::Vector3d::Zero();
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,15 +26,19 @@ enum class EdgeSource {
 
 /// The opening or closing of an episode.
 struct EpisodeEdge {
-  bool open = true;         ///< opening or closing
-  Nanoseconds time = 0;     ///< on the clock of the samples
+  bool open = true;      ///< opening or closing
+  Nanoseconds time = 0;  ///< on the clock of the samples
   EdgeSource source = EdgeSource::kPlain;
-  std::string id;           ///< of the episode; may be empty
+  std::string id;  ///< of the episode; may be empty
 };
 
-/// Cuts by time, not by order of arrival: a closing edge waits for the samples before it, but at most `edge_wait`.
+/// Cuts by time, not by order of arrival: a closing edge waits for the samples before it, but no longer than
+/// `edge_wait` after its arrival or its time, whichever is later.
 ///
-/// Once a stamped edge was seen, plain ones are ignored, so that a bag that holds both gives each episode once.
+/// Once a stamped edge was seen, plain ones are ignored, so that a bag that holds both gives each episode once. A
+/// stamped opening within `edge_match_window` of the open episode's corrects that. Stamped edges from before the end of
+/// the last episode are echoes of edges that were seen, and ignored. A stamp that is more than `stream_timeout` ahead
+/// of its arrival, or further back than an episode may last, is wrong: its arrival counts.
 class EpisodeSegmenter {
  public:
   /// \throws std::invalid_argument naming every parameter that is out of range.
@@ -42,7 +47,7 @@ class EpisodeSegmenter {
   /// Takes the next sample of the stream; `now` is its arrival on the samples' clock. Does not allocate.
   void AddSample(const WrenchSample& sample, Nanoseconds now);
   /// Takes an edge that arrived at `now`; for contact segmentation only commands count.
-  void AddEdge(const EpisodeEdge& edge, Nanoseconds now);
+  void AddEdge(const EpisodeEdge& arrived, Nanoseconds now);
   /// Lets time pass without a sample: waits and timeouts run out.
   void AdvanceTo(Nanoseconds now);
   /// Time began anew: an open episode ends with EndReason::kStream, and the buffer is emptied.
@@ -75,7 +80,6 @@ class EpisodeSegmenter {
     Nanoseconds open = 0;
     Nanoseconds close = 0;
     Nanoseconds deadline = 0;
-    bool opened_plain = false;
     bool closed = false;
     EndReason reason = EndReason::kUnknown;
   };
@@ -97,6 +101,8 @@ class EpisodeSegmenter {
     std::size_t size_ = 0;
   };
 
+  bool IsStale(const EpisodeEdge& edge) const;
+  void CorrectOpening(const EpisodeEdge& edge);
   void Open(const EpisodeEdge& edge);
   void Close(Nanoseconds time, EndReason reason, Nanoseconds now);
   void FinishReady(Nanoseconds now);
@@ -115,6 +121,7 @@ class EpisodeSegmenter {
   Eigen::Vector3d service_tare_ = Eigen::Vector3d::Zero();
   bool stamped_seen_ = false;
   Nanoseconds last_arrival_ = 0;
+  Nanoseconds last_close_ = std::numeric_limits<Nanoseconds>::min();
   int dropped_episodes_ = 0;
 };
 

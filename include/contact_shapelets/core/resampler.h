@@ -15,9 +15,9 @@ Eigen::Vector3d MeanForce(const std::vector<WrenchSample>& samples, Nanoseconds 
 
 /// Magnitude [N] of force less `tare`, one value per `sample_period` [s] from `begin` on, as many as fit before `end`.
 ///
-/// Each value is taken from the mean of the linear interpolant of each force component over its period, which also is the
-/// low-pass that a fast stream needs. Before the first and behind the last sample the force is held. `samples` are in
-/// order of time and must not be empty. \throws std::invalid_argument where they are, or the period is not above 0.
+/// Each value is taken from the mean of the linear interpolant of each force component over its period, which also is
+/// the low-pass that a fast stream needs. Before the first and behind the last sample the force is held. `samples` are
+/// in order of time and must not be empty. \throws std::invalid_argument where they are, or the period is not above 0.
 Eigen::VectorXf ResampledMagnitude(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end,
                                    double sample_period, const Eigen::Vector3d& tare);
 

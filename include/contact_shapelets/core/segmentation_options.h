@@ -32,7 +32,7 @@ struct SegmentationOptions {
   double max_gap = 0.2;             ///< [s] between samples, beyond which an episode is not complete, above 0
   double stream_timeout = 1.0;      ///< [s] without a sample, after which an open episode is closed, above max_gap
   double edge_wait = 0.05;          ///< [s] to wait for samples before a closing edge, [0, 1]
-  double edge_match_window = 0.25;  ///< [s] within which a stamped edge replaces a plain one, [0, 5]
+  double edge_match_window = 0.25;  ///< [s] within which a stamped opening corrects the one before, [0, 5]
   double contact_on = 8.0;          ///< [N] contact begins above, greater than contact_off
   double contact_off = 4.0;         ///< [N] contact ends below, above 0
   double contact_hold_on = 0.005;   ///< [s] that the force must be above, [0, 1]
