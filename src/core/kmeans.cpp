@@ -1,6 +1,5 @@
 #include "contact_shapelets/core/kmeans.h"
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,7 +47,7 @@ void UpdateCentroids(const RowMajor& points, Eigen::VectorXi* labels, Eigen::Mat
     for (Eigen::Index row = 0; row < points.rows(); ++row) {
       if (counts[(*labels)[row]] < 2) continue;
       const float own = (points.row(row) - centroids->row((*labels)[row])).squaredNorm();
-      if (own > distance) {
+      if (farthest < 0 || own > distance) {
         distance = own;
         farthest = row;
       }
@@ -64,11 +63,21 @@ void UpdateCentroids(const RowMajor& points, Eigen::VectorXi* labels, Eigen::Mat
   }
 }
 
+Eigen::VectorXi LeastInEachRow(const Eigen::MatrixXf& distances) {
+  Eigen::VectorXi least(distances.rows());
+  for (Eigen::Index row = 0; row < distances.rows(); ++row) {
+    Eigen::Index column = 0;
+    distances.row(row).minCoeff(&column);
+    least[row] = static_cast<int>(column);
+  }
+  return least;
+}
+
 KMeansResult LloydFrom(const RowMajor& points, Eigen::MatrixXf centroids, int iterations) {
   KMeansResult result;
   result.labels = Eigen::VectorXi::Constant(points.rows(), -1);
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const Eigen::VectorXi labels = NearestCentroids(centroids, points);
+    const Eigen::VectorXi labels = LeastInEachRow(RelativeDistances(points, centroids));
     if (labels == result.labels) break;
     result.labels = labels;
     UpdateCentroids(points, &result.labels, &centroids);
@@ -84,10 +93,10 @@ KMeansResult LloydFrom(const RowMajor& points, Eigen::MatrixXf centroids, int it
 void NumberByFirstPoint(KMeansResult* result) {
   std::vector<int> number(static_cast<std::size_t>(result->centroids.rows()), -1);
   int next = 0;
-  for (int& label : result->labels) {
-    int& renamed = number[static_cast<std::size_t>(label)];
+  for (Eigen::Index item = 0; item < result->labels.size(); ++item) {
+    int& renamed = number[static_cast<std::size_t>(result->labels[item])];
     if (renamed < 0) renamed = next++;
-    label = renamed;
+    result->labels[item] = renamed;
   }
   Eigen::MatrixXf ordered = result->centroids;
   for (std::size_t cluster = 0; cluster < number.size(); ++cluster) {
@@ -108,19 +117,22 @@ KMeansResult KMeans(const Eigen::Ref<const Eigen::MatrixXf>& points, const KMean
                                 std::to_string(options.clusters) + " clusters");
   }
   if (!points.allFinite()) throw std::invalid_argument("K-means was given a value that is not finite");
-  const RowMajor rows = points;
+  // About the mean, where squared distances keep the most of a float's digits.
+  const Eigen::RowVectorXf middle = points.cast<double>().colwise().mean().cast<float>();
+  const RowMajor rows = points.rowwise() - middle;
   Random random(options.seed);
   KMeansResult best;
-  best.inertia = std::numeric_limits<double>::infinity();
   for (int restart = 0; restart < options.restarts; ++restart) {
     KMeansResult result = LloydFrom(rows, PlusPlusStart(rows, options.clusters, &random), options.iterations);
-    if (result.inertia < best.inertia) best = std::move(result);
+    if (restart == 0 || result.inertia < best.inertia) best = std::move(result);
   }
+  best.centroids.rowwise() += middle;
   NumberByFirstPoint(&best);
   return best;
 }
 
-int NearestCentroid(const Eigen::Ref<const Eigen::MatrixXf>& centroids, const Eigen::Ref<const Eigen::VectorXf>& point) {
+int NearestCentroid(const Eigen::Ref<const Eigen::MatrixXf>& centroids,
+                    const Eigen::Ref<const Eigen::VectorXf>& point) {
   Eigen::Index nearest = 0;
   (centroids.rowwise() - point.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
   return static_cast<int>(nearest);
@@ -128,14 +140,8 @@ int NearestCentroid(const Eigen::Ref<const Eigen::MatrixXf>& centroids, const Ei
 
 Eigen::VectorXi NearestCentroids(const Eigen::Ref<const Eigen::MatrixXf>& centroids,
                                  const Eigen::Ref<const Eigen::MatrixXf>& points) {
-  const Eigen::MatrixXf distances = RelativeDistances(points, centroids);
-  Eigen::VectorXi labels(points.rows());
-  for (Eigen::Index row = 0; row < points.rows(); ++row) {
-    Eigen::Index nearest = 0;
-    distances.row(row).minCoeff(&nearest);
-    labels[row] = static_cast<int>(nearest);
-  }
-  return labels;
+  const Eigen::RowVectorXf middle = centroids.colwise().mean();
+  return LeastInEachRow(RelativeDistances(points.rowwise() - middle, centroids.rowwise() - middle));
 }
 
 }  // namespace contact_shapelets::core

@@ -12,7 +12,9 @@ void CheckShapelets(const Model& model, std::ostream& faults) {
     const Shapelet& shapelet = model.shapelets[index];
     if (shapelet.values.size() < 2) faults << "shapelet " << index << " has fewer than 2 values\n";
     if (!shapelet.values.allFinite()) faults << "shapelet " << index << " holds a value that is not finite\n";
-    if (!(shapelet.weight > 0.0F)) faults << "shapelet " << index << " has a weight that is not above 0\n";
+    if (!(shapelet.weight > 0.0F) || !std::isfinite(shapelet.weight)) {
+      faults << "shapelet " << index << " has a weight that is not above 0\n";
+    }
     if (shapelet.dilation < 1) faults << "shapelet " << index << " has a dilation below 1\n";
   }
 }
@@ -48,7 +50,7 @@ std::string Model::Faults() const {
   std::ostringstream faults;
   if (!(sample_period > 0.0) || !std::isfinite(sample_period)) faults << "the sample period is not above 0\n";
   if (!(flat_fraction >= 0.0 && flat_fraction < 1.0)) faults << "the flat fraction is not in [0, 1)\n";
-  if (!(log_offset > 0.0)) faults << "the log offset is not above 0\n";
+  if (!(log_offset > 0.0) || !std::isfinite(log_offset)) faults << "the log offset is not above 0\n";
   CheckShapelets(*this, faults);
   CheckClusters(*this, faults);
   return faults.str();

@@ -53,8 +53,8 @@ double AssignedItems(const Eigen::MatrixXd& table, const std::vector<int>& assig
 PartitionScores ComparePartitions(const Eigen::Ref<const Eigen::VectorXi>& labels,
                                   const Eigen::Ref<const Eigen::VectorXi>& classes) {
   if (labels.size() != classes.size()) throw std::invalid_argument("partitions of different sizes cannot be compared");
+  if ((labels.array() < 0).any() || (classes.array() < 0).any()) throw std::invalid_argument("a label is negative");
   if (labels.size() < 2) return {1.0, 1.0, 1.0, 1.0};
-  if (labels.minCoeff() < 0 || classes.minCoeff() < 0) throw std::invalid_argument("a label is negative");
   const Eigen::MatrixXd table = Contingency(labels, classes);
   const auto count = static_cast<double>(labels.size());
   PartitionScores scores;
@@ -69,6 +69,7 @@ std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& l
   if (static_cast<std::size_t>(labels.size()) != outcomes.size()) {
     throw std::invalid_argument("there must be one outcome (empty or not) for each label");
   }
+  if ((labels.array() < 0 || labels.array() >= clusters).any()) throw std::invalid_argument("a label is out of range");
   std::vector<std::string> names;
   for (const std::string& outcome : outcomes) {
     if (!outcome.empty() && std::find(names.begin(), names.end(), outcome) == names.end()) names.push_back(outcome);
@@ -78,7 +79,6 @@ std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& l
   std::sort(names.begin(), names.end());
   Eigen::MatrixXd table = Eigen::MatrixXd::Zero(clusters, static_cast<Eigen::Index>(names.size()));
   for (Eigen::Index item = 0; item < labels.size(); ++item) {
-    if (labels[item] < 0 || labels[item] >= clusters) throw std::invalid_argument("a label is out of range");
     const std::string& outcome = outcomes[static_cast<std::size_t>(item)];
     if (outcome.empty()) continue;
     table(labels[item], std::lower_bound(names.begin(), names.end(), outcome) - names.begin()) += 1.0;

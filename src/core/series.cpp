@@ -15,7 +15,7 @@ Eigen::VectorXf ZNormalised(const Eigen::Ref<const Eigen::VectorXf>& series) {
   const Eigen::ArrayXd centred = values - values.mean();
   const double deviation = std::sqrt(centred.square().mean());
   // Rounding leaves a constant series with a deviation that is not exactly zero.
-  if (deviation <= 1e-7 * std::max(1.0, std::abs(values.mean()))) return Eigen::VectorXf::Zero(series.size());
+  if (deviation <= 1e-7 * values.abs().maxCoeff()) return Eigen::VectorXf::Zero(series.size());
   return (centred / deviation).cast<float>().matrix();
 }
 

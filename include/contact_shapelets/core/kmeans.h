@@ -4,16 +4,17 @@
 #include <cstdint>
 
 /// \file
-/// K-means with k-means++ seeding: the one clustering that every method shares, so that methods differ in features alone.
+/// K-means with k-means++ seeding: the one clustering that every method shares, so that methods differ in features
+/// alone.
 
 namespace contact_shapelets::core {
 
 /// Parameters of KMeans().
 struct KMeansOptions {
-  int clusters = 2;           ///< C, at least 1
-  int restarts = 20;          ///< independent k-means++ starts, the one of least inertia is kept; at least 1
-  int iterations = 300;       ///< Lloyd rounds per start at the most; at least 1
-  std::uint64_t seed = 0;     ///< equal seeds give equal results, whatever the machine's number of threads
+  int clusters = 2;        ///< C, at least 1
+  int restarts = 20;       ///< independent k-means++ starts, the one of least inertia is kept; at least 1
+  int iterations = 300;    ///< Lloyd rounds per start at the most; at least 1
+  std::uint64_t seed = 0;  ///< equal seeds give equal results, whatever the machine's number of threads
 };
 
 /// A partition of N points into C clusters.

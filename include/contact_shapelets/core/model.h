@@ -46,8 +46,8 @@ struct Model {
   std::vector<Cluster> clusters;
   Provenance provenance;
 
-  /// The features that clusters are formed on: weight * log(max(F, 0) + log_offset), for distances F [N, K], one series per
-  /// row.
+  /// The features that clusters are formed on: weight * log(max(F, 0) + log_offset), for distances F [N, K], one series
+  /// per row.
   Eigen::MatrixXf Features(const Eigen::Ref<const Eigen::MatrixXf>& distances) const;
 
   /// The event that `cluster` stands for: its label, or "cluster_<index>" while it has none, or "unknown" for -1.

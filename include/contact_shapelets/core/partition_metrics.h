@@ -11,10 +11,10 @@ namespace contact_shapelets::core {
 
 /// Agreement of a partition with the true classes.
 struct PartitionScores {
-  double rand_index = 0.0;           ///< [0, 1] part of the pairs that are grouped alike
-  double adjusted_rand_index = 0.0;  ///< 1 at best, 0 expected by chance
+  double rand_index = 0.0;                     ///< [0, 1] part of the pairs that are grouped alike
+  double adjusted_rand_index = 0.0;            ///< 1 at best, 0 expected by chance
   double normalised_mutual_information = 0.0;  ///< [0, 1], by the arithmetic mean of the entropies
-  double accuracy = 0.0;             ///< [0, 1] under the best assignment of clusters to classes
+  double accuracy = 0.0;                       ///< [0, 1] under the best assignment of clusters to classes
 };
 
 /// Compares `labels` with `classes`, both [N] with values of 0 or more.
@@ -30,11 +30,10 @@ std::vector<int> LeastCostAssignment(const Eigen::Ref<const Eigen::MatrixXd>& co
 
 /// Names for `clusters` clusters from the outcomes that were given for some items.
 ///
-/// `labels` [N] are the items' clusters, `outcomes` [N] what was said of each, empty where nothing was. Each outcome names
-/// at most one cluster, so that the number of items named right is largest; a cluster that shares no item with its outcome
-/// stays unnamed (empty string). Clusters that are left over take the outcome of most of their items, where more than half
-/// of the named ones agree.
-/// \throws std::invalid_argument where sizes differ or a label is out of range.
+/// `labels` [N] are the items' clusters, `outcomes` [N] what was said of each, empty where nothing was. Each outcome
+/// names at most one cluster, so that the number of items named right is largest; a cluster that shares no item with
+/// its outcome stays unnamed (empty string). Clusters that are left over take the outcome of most of their items, where
+/// more than half of the named ones agree. \throws std::invalid_argument where sizes differ or a label is out of range.
 std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& labels,
                                       const std::vector<std::string>& outcomes, int clusters);
 

@@ -1,0 +1,233 @@
+#include "contact_shapelets/core/partition_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/random.h"
+
+namespace contact_shapelets::core {
+namespace {
+
+Eigen::VectorXi Labels(const std::vector<int>& values) {
+  return Eigen::Map<const Eigen::VectorXi>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+PartitionScores Scores(const std::vector<int>& labels, const std::vector<int>& classes) {
+  return ComparePartitions(Labels(labels), Labels(classes));
+}
+
+std::vector<int> RandomLabels(int count, int different, Random* random) {
+  std::vector<int> labels(static_cast<std::size_t>(count));
+  for (int& label : labels) label = random->Index(different);
+  return labels;
+}
+
+TEST(ComparePartitions, EqualPartitionsScoreOneWhateverTheirNumbers) {
+  const PartitionScores scores = Scores({5, 5, 0, 0, 3}, {1, 1, 2, 2, 0});
+  EXPECT_DOUBLE_EQ(scores.rand_index, 1.0);
+  EXPECT_DOUBLE_EQ(scores.adjusted_rand_index, 1.0);
+  EXPECT_NEAR(scores.normalised_mutual_information, 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(scores.accuracy, 1.0);
+}
+
+TEST(ComparePartitions, MatchesAHandComputedCase) {
+  // Table [[2, 1], [0, 3]]: 15 pairs, together 1 + 3 = 4, in clusters 3 + 3 = 6, in classes 1 + 6 = 7.
+  const PartitionScores scores = Scores({0, 0, 0, 1, 1, 1}, {0, 0, 1, 1, 1, 1});
+  EXPECT_NEAR(scores.rand_index, (15.0 + 8.0 - 6.0 - 7.0) / 15.0, 1e-12);
+  EXPECT_NEAR(scores.adjusted_rand_index, (4.0 - 42.0 / 15.0) / (6.5 - 42.0 / 15.0), 1e-12);
+  EXPECT_NEAR(scores.accuracy, 5.0 / 6.0, 1e-12);
+  const double clusters = std::log(2.0);
+  const double classes = -(std::log(1.0 / 3.0) / 3.0 + 2.0 * std::log(2.0 / 3.0) / 3.0);
+  const double joint = -(std::log(1.0 / 3.0) / 3.0 + std::log(1.0 / 6.0) / 6.0 + std::log(0.5) / 2.0);
+  EXPECT_NEAR(scores.normalised_mutual_information, (clusters + classes - joint) / (0.5 * (clusters + classes)), 1e-12);
+}
+
+TEST(ComparePartitions, RandIndexCountsPairsGroupedAlike) {
+  Random random(1);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<int> labels = RandomLabels(25, 4, &random);
+    const std::vector<int> classes = RandomLabels(25, 3, &random);
+    int alike = 0;
+    for (std::size_t one = 0; one < 25; ++one) {
+      for (std::size_t other = one + 1; other < 25; ++other) {
+        alike += (labels[one] == labels[other]) == (classes[one] == classes[other]) ? 1 : 0;
+      }
+    }
+    EXPECT_NEAR(Scores(labels, classes).rand_index, alike / 300.0, 1e-12);
+  }
+}
+
+TEST(ComparePartitions, OneClusterAgainstManyClassesSaysNothing) {
+  const PartitionScores scores = Scores({0, 0, 0, 0}, {0, 1, 0, 1});
+  EXPECT_NEAR(scores.rand_index, 2.0 / 6.0, 1e-12);
+  EXPECT_DOUBLE_EQ(scores.adjusted_rand_index, 0.0);
+  EXPECT_NEAR(scores.normalised_mutual_information, 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(scores.accuracy, 0.5);
+}
+
+TEST(ComparePartitions, IndependentPartitionsHaveNoMutualInformation) {
+  const PartitionScores scores = Scores({0, 0, 1, 1}, {0, 1, 0, 1});
+  EXPECT_NEAR(scores.normalised_mutual_information, 0.0, 1e-12);
+  EXPECT_NEAR(scores.adjusted_rand_index, -0.5, 1e-12);
+}
+
+TEST(ComparePartitions, TrivialPartitionsThatAgreeScoreOne) {
+  for (const std::vector<int>& partition : {std::vector<int>{0, 0, 0}, std::vector<int>{0, 1, 2}}) {
+    const PartitionScores scores = Scores(partition, partition);
+    EXPECT_DOUBLE_EQ(scores.rand_index, 1.0);
+    EXPECT_DOUBLE_EQ(scores.adjusted_rand_index, 1.0);
+    EXPECT_NEAR(scores.normalised_mutual_information, 1.0, 1e-12);
+    EXPECT_DOUBLE_EQ(scores.accuracy, 1.0);
+  }
+}
+
+TEST(ComparePartitions, IsSymmetricAndBlindToTheNumbersOfClusters) {
+  Random random(2);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<int> labels = RandomLabels(40, 5, &random);
+    const std::vector<int> classes = RandomLabels(40, 3, &random);
+    const std::vector<int> renumbered_as = random.Sample(9, 5);
+    std::vector<int> renumbered;
+    for (const int label : labels) renumbered.push_back(renumbered_as[static_cast<std::size_t>(label)]);
+    const PartitionScores scores = Scores(labels, classes);
+    for (const PartitionScores& other : {Scores(classes, labels), Scores(renumbered, classes)}) {
+      EXPECT_NEAR(other.rand_index, scores.rand_index, 1e-12);
+      EXPECT_NEAR(other.adjusted_rand_index, scores.adjusted_rand_index, 1e-12);
+      EXPECT_NEAR(other.normalised_mutual_information, scores.normalised_mutual_information, 1e-12);
+      EXPECT_NEAR(other.accuracy, scores.accuracy, 1e-12);
+    }
+  }
+}
+
+TEST(ComparePartitions, AdjustedRandIndexOfChanceIsNearZero) {
+  Random random(3);
+  double sum = 0.0;
+  for (int round = 0; round < 200; ++round) {
+    sum += Scores(RandomLabels(60, 3, &random), RandomLabels(60, 3, &random)).adjusted_rand_index;
+  }
+  EXPECT_NEAR(sum / 200.0, 0.0, 0.01);
+}
+
+TEST(ComparePartitions, FewerThanTwoItemsAgreeWholly) {
+  EXPECT_EQ(Scores({}, {}).rand_index, 1.0);
+  EXPECT_EQ(Scores({3}, {1}).accuracy, 1.0);
+}
+
+TEST(ComparePartitions, RefusesFaultyInput) {
+  EXPECT_THROW(Scores({0, 1}, {0}), std::invalid_argument);
+  EXPECT_THROW(Scores({0, -1}, {0, 0}), std::invalid_argument);
+  EXPECT_THROW(Scores({0, 0}, {0, -1}), std::invalid_argument);
+  EXPECT_THROW(Scores({-1}, {0}), std::invalid_argument);
+}
+
+double LeastCostByTrying(const Eigen::MatrixXd& cost) {
+  const bool wide = cost.rows() <= cost.cols();
+  const Eigen::MatrixXd flat = wide ? cost : Eigen::MatrixXd(cost.transpose());
+  std::vector<int> order(static_cast<std::size_t>(flat.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  double least = std::numeric_limits<double>::infinity();
+  do {
+    double sum = 0.0;
+    for (Eigen::Index row = 0; row < flat.rows(); ++row) sum += flat(row, order[static_cast<std::size_t>(row)]);
+    least = std::min(least, sum);
+  } while (std::next_permutation(order.begin(), order.end()));
+  return least;
+}
+
+class AssignmentTest : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(AssignmentTest, CostsAsLittleAsTheBestOfAllPermutations) {
+  Random random(4);
+  const auto [rows, columns] = GetParam();
+  for (int round = 0; round < 30; ++round) {
+    Eigen::MatrixXd cost(rows, columns);
+    // Whole numbers of either sign, so that there are ties.
+    for (Eigen::Index entry = 0; entry < cost.size(); ++entry) cost.data()[entry] = random.Index(12) - 6;
+    const std::vector<int> assigned = LeastCostAssignment(cost);
+    ASSERT_EQ(assigned.size(), static_cast<std::size_t>(rows));
+    std::vector<bool> taken(static_cast<std::size_t>(columns), false);
+    double sum = 0.0;
+    int left_over = 0;
+    for (int row = 0; row < rows; ++row) {
+      const int column = assigned[static_cast<std::size_t>(row)];
+      if (column < 0) {
+        ++left_over;
+        continue;
+      }
+      EXPECT_FALSE(taken.at(static_cast<std::size_t>(column)));
+      taken[static_cast<std::size_t>(column)] = true;
+      sum += cost(row, column);
+    }
+    EXPECT_EQ(left_over, std::max(0, rows - columns));
+    EXPECT_NEAR(sum, LeastCostByTrying(cost), 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, AssignmentTest,
+                         testing::Values(std::pair(1, 1), std::pair(2, 2), std::pair(4, 4), std::pair(6, 6),
+                                         std::pair(2, 5), std::pair(6, 3), std::pair(5, 1), std::pair(1, 5)));
+
+TEST(LeastCostAssignment, LeavesEveryRowOverWhereThereIsNoColumn) {
+  EXPECT_EQ(LeastCostAssignment(Eigen::MatrixXd(3, 0)), (std::vector<int>{-1, -1, -1}));
+  EXPECT_TRUE(LeastCostAssignment(Eigen::MatrixXd(0, 3)).empty());
+}
+
+TEST(LeastCostAssignment, RefusesACostThatIsNotFinite) {
+  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(2, 2);
+  cost(1, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(LeastCostAssignment(cost), std::invalid_argument);
+  cost(1, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(LeastCostAssignment(cost), std::invalid_argument);
+}
+
+using Names = std::vector<std::string>;
+
+TEST(NameClusters, GivesEachClusterItsOutcome) {
+  EXPECT_EQ(NameClusters(Labels({0, 0, 1, 1, 2}), {"b", "b", "a", "a", "c"}, 3), (Names{"b", "a", "c"}));
+}
+
+TEST(NameClusters, MaximisesTheItemsNamedRightOverAllClusters) {
+  // Alone, both clusters would take "a"; 3 + 4 right by a -> 1, b -> 0 beats 4 + 0.
+  const Names outcomes = {"a", "a", "a", "a", "b", "b", "b", "a", "a", "a", "a"};
+  EXPECT_EQ(NameClusters(Labels({0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1}), outcomes, 2), (Names{"b", "a"}));
+}
+
+TEST(NameClusters, IgnoresItemsWithoutAnOutcome) {
+  EXPECT_EQ(NameClusters(Labels({0, 0, 0, 1}), {"", "", "a", "b"}, 2), (Names{"a", "b"}));
+}
+
+TEST(NameClusters, LeavesAClusterUnnamedThatSharesNoItemWithAnOutcome) {
+  EXPECT_EQ(NameClusters(Labels({0, 0, 1}), {"a", "b", ""}, 2)[1], "");
+  EXPECT_EQ(NameClusters(Labels({0, 0}), {"a", "a"}, 3), (Names{"a", "", ""}));
+}
+
+TEST(NameClusters, GivesALeftOverClusterTheOutcomeOfMostOfItsItems) {
+  EXPECT_EQ(NameClusters(Labels({0, 0, 0, 1, 1}), {"a", "a", "a", "a", "a"}, 2), (Names{"a", "a"}));
+}
+
+TEST(NameClusters, LeavesALeftOverClusterUnnamedWithoutAMajority) {
+  const Names outcomes = {"a", "a", "a", "b", "b", "b", "a", "b"};
+  EXPECT_EQ(NameClusters(Labels({0, 0, 0, 1, 1, 1, 2, 2}), outcomes, 3), (Names{"a", "b", ""}));
+}
+
+TEST(NameClusters, NamesNothingWithoutOutcomes) {
+  EXPECT_EQ(NameClusters(Labels({0, 1}), {"", ""}, 2), (Names{"", ""}));
+  EXPECT_EQ(NameClusters(Labels({}), {}, 2), (Names{"", ""}));
+}
+
+TEST(NameClusters, RefusesFaultyInput) {
+  EXPECT_THROW(NameClusters(Labels({0, 1}), {"a"}, 2), std::invalid_argument);
+  EXPECT_THROW(NameClusters(Labels({0, 2}), {"a", "b"}, 2), std::invalid_argument);
+  EXPECT_THROW(NameClusters(Labels({0, -1}), {"a", "b"}, 2), std::invalid_argument);
+  EXPECT_THROW(NameClusters(Labels({0, 2}), {"", ""}, 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace contact_shapelets::core
