@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "contact_shapelets/core/series.h"
+#include "contact_shapelets/core/resampler.h"
 
 namespace contact_shapelets::core {
 namespace {
@@ -22,20 +22,29 @@ float NearestShare(const Eigen::Ref<const Eigen::VectorXf>& distances, Eigen::In
   return 1.0F / (least / distances.array().max(1e-6F)).square().sum();
 }
 
+/// The force of `episode` at another period. Each value is a mean over its period, as in a new cut of the stream.
+Eigen::VectorXf ForceAt(double period, const Episode& episode) {
+  const auto nanoseconds = [](double seconds) { return static_cast<Nanoseconds>(std::llround(1e9 * seconds)); };
+  std::vector<WrenchSample> samples;
+  samples.reserve(static_cast<std::size_t>(episode.force.size()));
+  for (Eigen::Index index = 0; index < episode.force.size(); ++index) {
+    const double middle = (static_cast<double>(index) + 0.5) * episode.sample_period;
+    samples.push_back({nanoseconds(middle), Eigen::Vector3d(episode.force[index], 0.0, 0.0)});
+  }
+  return ResampledMagnitude(samples, 0, nanoseconds(episode.duration()), period, Eigen::Vector3d::Zero());
+}
+
 }  // namespace
 
 Classifier::Classifier(Model model)
     : model_(Checked(std::move(model))), extractor_(model_.shapelets, model_.flat_fraction) {}
 
 Classification Classifier::Classify(const Episode& episode) const {
-  const double ratio = episode.sample_period / model_.sample_period;
+  if (!(episode.sample_period > 0.0)) throw std::invalid_argument("the episode's sample period is not above 0");
+  const bool same_period = std::abs(episode.sample_period / model_.sample_period - 1.0) < 1e-6;
+  if (!same_period && episode.force.size() < 2) throw std::invalid_argument("the episode has fewer than 2 samples");
   Classification result;
-  if (std::abs(ratio - 1.0) < 1e-6 || !(ratio > 0.0)) {
-    result.features = extractor_.Compute(episode.force);
-  } else {
-    const int length = std::max(2, static_cast<int>(std::lround(ratio * static_cast<double>(episode.force.size()))));
-    result.features = extractor_.Compute(StretchedTo(episode.force, length));
-  }
+  result.features = extractor_.Compute(same_period ? episode.force : ForceAt(model_.sample_period, episode));
 
   const Eigen::VectorXf features = model_.Features(result.features.distances.transpose()).transpose();
   Eigen::VectorXf distances(model_.clusters.size());

@@ -35,7 +35,8 @@ class Classifier {
   explicit Classifier(Model model);
 
   /// Classifies one episode in a single pass. An episode of another sample period is resampled first.
-  /// \throws std::invalid_argument where the episode has fewer than 2 samples or a value that is not finite.
+  /// \throws std::invalid_argument where the episode has fewer than 2 samples, before or after that, a value that is
+  /// not finite, or a sample period that is not above 0.
   Classification Classify(const Episode& episode) const;
 
   /// Sets the label of a cluster. \throws std::invalid_argument where there is no such cluster or the label is empty.
