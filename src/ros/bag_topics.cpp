@@ -8,17 +8,18 @@
 
 namespace contact_shapelets {
 
-void OpenBag(const std::string& path, rosbag::Bag* bag) {
+void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expected) {
+  const std::string but = path + ": expected " + expected + ", but ";
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0) throw std::runtime_error(path + ": expected a bag, but there is no such file");
-  if (!S_ISREG(status.st_mode)) throw std::runtime_error(path + ": expected a bag, but it is not a file");
-  if (status.st_size == 0) throw std::runtime_error(path + ": expected a bag, but the file is empty");
+  if (stat(path.c_str(), &status) != 0) throw std::runtime_error(but + "there is no such file");
+  if (!S_ISREG(status.st_mode)) throw std::runtime_error(but + "it is not a file");
+  if (status.st_size == 0) throw std::runtime_error(but + "the file is empty");
   try {
     bag->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
-    throw std::runtime_error(path + ": the bag has no index, it was cut off while recording: run `rosbag reindex` on it");
+    throw std::runtime_error(but + "it has no index, since it was cut off while recording: run `rosbag reindex` on it");
   } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": expected a bag, but it cannot be read: " + error.what());
+    throw std::runtime_error(but + "it cannot be read: " + error.what());
   }
 }
 

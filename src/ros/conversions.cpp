@@ -92,8 +92,8 @@ core::Model FromMessage(const ShapeletModel& message) {
   model.flat_fraction = message.flat_fraction;
   model.log_offset = message.log_offset;
   for (const Shapelet& shapelet : message.shapelets) {
-    model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation),
-                               shapelet.weight, FromList(shapelet.values)});
+    model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation), shapelet.weight,
+                               FromList(shapelet.values)});
   }
   for (std::size_t index = 0; index < message.centroids.size(); ++index) {
     const Centroid& centroid = message.centroids[index];
@@ -117,8 +117,8 @@ ShapeletModel ToMessage(const core::Model& model, const ros::Time& time) {
   message.model_id = model.id;
   message.format_version = ShapeletModel::FORMAT_VERSION;
   message.sample_period = model.sample_period;
-  message.flat_fraction = static_cast<float>(model.flat_fraction);
-  message.log_offset = static_cast<float>(model.log_offset);
+  message.flat_fraction = model.flat_fraction;
+  message.log_offset = model.log_offset;
   for (const core::Shapelet& shapelet : model.shapelets) {
     Shapelet entry;
     entry.scale = static_cast<std::uint32_t>(shapelet.scale);

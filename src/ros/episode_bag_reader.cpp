@@ -7,8 +7,9 @@
 #include <std_msgs/Bool.h>
 #include <std_msgs/String.h>
 
-#include <map>
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "contact_shapelets/core/wrench_stream.h"
 #include "contact_shapelets/ros/action_edges.h"
@@ -53,8 +54,8 @@ std::string FindWrench(const std::string& path, const BagTopics& topics, const s
     throw std::runtime_error(path + ": expected " + kWrenchType + " on " + wanted + ", but found " + topics.List());
   }
   if (wrenches.empty()) {
-    throw std::runtime_error(path + ": expected a topic of type " + kWrenchType + " or contact_shapelets/Episode, but found " +
-                             topics.List());
+    throw std::runtime_error(path + ": expected a topic of type " + kWrenchType +
+                             " or contact_shapelets/Episode, but found " + topics.List());
   }
   if (wrenches.size() > 1) {
     throw std::runtime_error(path + ": expected one topic of type " + std::string(kWrenchType) + ", but found " +
@@ -72,7 +73,8 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
   }
   parts.wrench = FindWrench(path, topics, options.wrench_topic);
   if (options.segmentation.segmentation == core::Segmentation::kTrigger) {
-    parts.event = AtMostOne(path, topics.Named(topics::kEpisodeEvent, "contact_shapelets/EpisodeEvent"), "episode_event");
+    parts.event =
+        AtMostOne(path, topics.Named(topics::kEpisodeEvent, "contact_shapelets/EpisodeEvent"), "episode_event");
     // Stamped edges are exact, so plain ones beside them are not needed.
     if (parts.event.empty()) {
       parts.active = AtMostOne(path, topics.Named(topics::kEpisodeActive, "std_msgs/Bool"), "episode_active");
@@ -103,10 +105,9 @@ class Reading {
     } else if (topic == parts_.status) {
       TakeStatus(*Instantiate<actionlib_msgs::GoalStatusArray>(message), arrival);
     } else if (topic == parts_.episode) {
-      contents_.episodes.push_back(FromMessage(*Instantiate<Episode>(message)));
-      last_closed_ = contents_.episodes.back().id;
-    } else if (topic == parts_.outcome) {
-      outcome_of_[last_closed_] = Instantiate<std_msgs::String>(message)->data;
+      TakeEpisode(FromMessage(*Instantiate<Episode>(message)));
+    } else if (topic == parts_.outcome && !closings_.empty()) {
+      closings_.back().outcome = Instantiate<std_msgs::String>(message)->data;
     }
     Collect();
   }
@@ -114,16 +115,19 @@ class Reading {
   BagContents Finish() {
     stream_.segmenter().Finish();
     Collect();
-    for (core::Episode& episode : contents_.episodes) {
-      const auto outcome = outcome_of_.find(episode.id);
-      if (outcome != outcome_of_.end() && episode.outcome.empty()) episode.outcome = outcome->second;
-    }
+    NameOutcomes();
     contents_.stream = stream_.Summary();
-    contents_.dropped_episodes = stream_.segmenter().dropped_episodes();
+    contents_.dropped_episodes += stream_.segmenter().dropped_episodes();
     return contents_;
   }
 
  private:
+  /// An episode that closed, and what was said of it. Ids may repeat, and closed episodes may be dropped.
+  struct Closing {
+    std::string id;
+    std::string outcome;
+  };
+
   template <typename Message>
   static typename Message::ConstPtr Instantiate(const rosbag::MessageInstance& instance) {
     typename Message::ConstPtr message = instance.instantiate<Message>();
@@ -142,6 +146,26 @@ class Reading {
     stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
   }
 
+  void TakeEpisode(core::Episode episode) {
+    closings_.push_back({episode.id, ""});
+    if (episode.force.size() < 2) {
+      ++contents_.dropped_episodes;
+    } else {
+      contents_.episodes.push_back(std::move(episode));
+    }
+  }
+
+  /// Episodes come in the order of their closings.
+  void NameOutcomes() {
+    auto closing = closings_.begin();
+    for (core::Episode& episode : contents_.episodes) {
+      closing = std::find_if(closing, closings_.end(), [&](const Closing& other) { return other.id == episode.id; });
+      if (closing == closings_.end()) return;
+      if (episode.outcome.empty()) episode.outcome = closing->outcome;
+      ++closing;
+    }
+  }
+
   void TakeStatus(const actionlib_msgs::GoalStatusArray& status, core::Nanoseconds arrival) {
     const bool active = AnyGoalActive(status);
     if (active != action_active_) stream_.AddPlainEdge(active, TimeOfStatus(status, arrival));
@@ -151,7 +175,7 @@ class Reading {
   void Collect() {
     if (!stream_.segmenter().HasNews()) return;
     for (const core::EpisodeEdge& edge : stream_.segmenter().TakeEdges()) {
-      if (!edge.open) last_closed_ = edge.id;
+      if (!edge.open) closings_.push_back({edge.id, ""});
     }
     for (core::Episode& episode : stream_.segmenter().TakeEpisodes()) contents_.episodes.push_back(std::move(episode));
   }
@@ -159,8 +183,7 @@ class Reading {
   Parts parts_;
   core::WrenchStream stream_;
   BagContents contents_;
-  std::map<std::string, std::string> outcome_of_;
-  std::string last_closed_;
+  std::vector<Closing> closings_;
   bool has_frame_ = false;
   bool action_active_ = false;
 };
@@ -174,7 +197,7 @@ std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
     case core::Segmentation::kTrigger:
       break;
   }
-  if (!parts.episode.empty()) return parts.episode + " holds no message";
+  if (!parts.episode.empty()) return parts.episode + " holds none of at least 2 samples";
   const bool triggers = !parts.active.empty() || !parts.event.empty();
   return triggers ? "its triggers open none that is long enough"
                   : "it has no episode_active (std_msgs/Bool) or episode_event topic; try segmentation: contact";

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/topics.h"
 
@@ -51,11 +52,7 @@ void SaveModel(const std::string& path, const core::Model& model) {
 core::Model LoadModel(const std::string& path) {
   const std::string expected = path + ": expected a bag with one contact_shapelets/ShapeletModel, but ";
   rosbag::Bag bag;
-  try {
-    bag.open(path, rosbag::bagmode::Read);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(expected + "it cannot be opened: " + OneLine(error.what()));
-  }
+  OpenBag(path, &bag, "a bag with one contact_shapelets/ShapeletModel");
   try {
     rosbag::View view(bag, rosbag::TypeQuery("contact_shapelets/ShapeletModel"));
     if (view.size() != 1) throw std::invalid_argument("it holds " + std::to_string(view.size()) + " of them");

@@ -11,8 +11,9 @@
 
 namespace contact_shapelets {
 
-/// Opens a bag for reading. \throws std::runtime_error in one line that names the file and what is wrong with it.
-void OpenBag(const std::string& path, rosbag::Bag* bag);
+/// Opens a bag for reading. \throws std::runtime_error in one line that names the file, what was `expected` and what is
+/// wrong with it.
+void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expected = "a bag");
 
 /// Topics of a bag by the type of their messages.
 class BagTopics {

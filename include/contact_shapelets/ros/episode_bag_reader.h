@@ -31,12 +31,13 @@ using ReadProgress = std::function<void(double)>;
 
 /// Reads the episodes of one bag as a stream: Episode messages where it has some, else raw wrench with its triggers.
 ///
-/// \throws std::runtime_error in one line that names the bag: no such file, not a bag, cut off, no WrenchStamped topic or
-/// more than one, no episode in it.
+/// \throws std::runtime_error in one line that names the bag: no such file, not a bag, cut off, no WrenchStamped topic
+/// or more than one, no episode in it.
 BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options,
                          const ReadProgress& progress = nullptr);
 
-/// ReadEpisodes() of several bags, one after the other. \throws std::runtime_error as it does, or where there is no bag.
+/// ReadEpisodes() of several bags, one after the other. \throws std::runtime_error as it does, or where there is no
+/// bag.
 std::vector<core::Episode> ReadAllEpisodes(const std::vector<std::string>& paths, const BagReaderOptions& options,
                                            const ReadProgress& progress = nullptr);
 
