@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/classify_command.h"
+#include "cli/evaluate_command.h"
 #include "cli/inspect_command.h"
 #include "cli/report_command.h"
 #include "cli/train_command.h"
@@ -29,12 +30,15 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   contact_shapelets::cli::AddTrainCommand(&app);
   contact_shapelets::cli::AddClassifyCommand(&app);
+  contact_shapelets::cli::AddEvaluateCommand(&app);
   contact_shapelets::cli::AddInspectCommand(&app);
   contact_shapelets::cli::AddReportCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& asked_for_help) {
     return app.exit(asked_for_help);
+  } catch (const CLI::RuntimeError& error) {
+    return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
     std::cerr << "shapelets: " << OneLine(error.what()) << " (shapelets --help says more)\n";
     return kWrongUsage;

@@ -1,0 +1,225 @@
+#include "cli/evaluate_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "cli/common.h"
+#include "cli/evaluation_report.h"
+#include "contact_shapelets/core/evaluation.h"
+#include "contact_shapelets/core/parallel.h"
+#include "contact_shapelets/core/ucr_reader.h"
+
+namespace contact_shapelets::cli {
+namespace {
+
+struct Arguments {
+  std::string data;
+  std::vector<std::string> data_sets{"all"};
+  std::vector<std::string> methods = core::ClustererNames();
+  BagArguments bags;
+  std::vector<std::string> test_bags;
+  std::string bags_name;
+  int seeds = 5;
+  int jobs = 0;
+  std::string json;
+};
+
+/// Faults that were met; each is said at once, so that a long run does not end in a surprise.
+class Faults {
+ public:
+  void Add(const std::string& fault) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::cerr << "shapelets: " << fault << '\n';
+    any_ = true;
+  }
+  bool any() const { return any_; }
+
+ private:
+  std::mutex mutex_;
+  bool any_ = false;
+};
+
+std::string Joined(const std::vector<std::string>& paths) {
+  std::string joined;
+  for (const std::string& path : paths) joined += (joined.empty() ? "" : ", ") + path;
+  return joined;
+}
+
+/// The episodes that have an outcome; `numbers` numbers the outcomes.
+core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
+                                      std::map<std::string, int>* numbers) {
+  core::LabelledSeries labelled;
+  std::vector<int> classes;
+  for (const core::Episode& episode : ReadAllEpisodes(paths, options)) {
+    if (episode.outcome.empty()) continue;
+    labelled.series.push_back(episode.force);
+    classes.push_back(numbers->emplace(episode.outcome, static_cast<int>(numbers->size())).first->second);
+  }
+  if (classes.empty()) throw std::runtime_error(Joined(paths) + ": expected episodes with an outcome, found none");
+  labelled.classes = Eigen::Map<Eigen::VectorXi>(classes.data(), static_cast<Eigen::Index>(classes.size()));
+  return labelled;
+}
+
+core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions& options) {
+  std::map<std::string, int> numbers;
+  const std::vector<std::string>& paths = arguments.bags.bags;
+  const std::string name =
+      arguments.bags_name.empty() ? std::filesystem::path(paths.front()).stem().string() : arguments.bags_name;
+  core::DataSet data_set;
+  data_set.name = name;
+  data_set.train = ReadLabelledBags(paths, options, &numbers);
+  if (arguments.test_bags.empty()) {
+    data_set = core::SplitByClass(name, data_set.train, static_cast<int>(numbers.size()), 0.5, 0);
+  } else {
+    data_set.test = ReadLabelledBags(arguments.test_bags, options, &numbers);
+  }
+  data_set.class_count = static_cast<int>(numbers.size());
+  const auto fewest = static_cast<int>(std::min(data_set.train.series.size(), data_set.test.series.size()));
+  if (data_set.class_count < 2 || fewest < data_set.class_count) {
+    throw std::runtime_error(Joined(paths) + ": expected 2 or more outcomes and an episode for each in both splits, found " +
+                             std::to_string(data_set.class_count) + " outcomes and " + std::to_string(fewest) +
+                             " episodes in the smaller split");
+  }
+  return data_set;
+}
+
+std::vector<core::DataSet> ReadDataSets(const Arguments& arguments, const BagReaderOptions& options, Faults* faults) {
+  std::vector<core::DataSet> data_sets;
+  const auto attempt = [&](const std::function<core::DataSet()>& read) {
+    try {
+      data_sets.push_back(read());
+    } catch (const std::exception& error) {
+      faults->Add(error.what());
+    }
+  };
+  if (!arguments.data.empty()) {
+    const bool all = arguments.data_sets == std::vector<std::string>{"all"};
+    for (const std::string& name : all ? core::UcrDataSetNames(arguments.data) : arguments.data_sets) {
+      std::vector<std::string> notes;
+      attempt([&] { return core::ReadUcrDataSet(arguments.data, name, &notes); });
+      for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
+    }
+  }
+  if (!arguments.bags.bags.empty()) attempt([&] { return ReadBagDataSet(arguments, options); });
+  return data_sets;
+}
+
+/// One data set, method and seed: the unit of parallel work.
+struct Task {
+  const core::DataSet* data_set;
+  std::string method;
+  std::uint64_t seed;
+  double size;  ///< samples to look at, for the progress and so that long tasks start first
+};
+
+std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<core::DataSet>& data_sets) {
+  std::vector<Task> tasks;
+  for (const core::DataSet& data_set : data_sets) {
+    double size = 0.0;
+    for (const core::LabelledSeries* split : {&data_set.train, &data_set.test}) {
+      for (const Eigen::VectorXf& series : split->series) size += static_cast<double>(series.size());
+    }
+    for (const std::string& method : arguments.methods) {
+      for (int seed = 0; seed < arguments.seeds; ++seed) {
+        tasks.push_back({&data_set, method, static_cast<std::uint64_t>(seed), size});
+      }
+    }
+  }
+  return tasks;
+}
+
+/// Results in the order of `tasks`, those that failed left out.
+std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer, int jobs,
+                                             Faults* faults) {
+  std::vector<std::size_t> order(tasks.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tasks[a].size > tasks[b].size; });
+  const double total =
+      std::accumulate(tasks.begin(), tasks.end(), 0.0, [](double sum, const Task& task) { return sum + task.size; });
+  std::vector<std::optional<core::EvaluationResult>> outcomes(tasks.size());
+  ProgressLine line("evaluating");
+  std::mutex line_mutex;
+  double done = 0.0;
+  core::ParallelFor(static_cast<int>(tasks.size()), jobs, [&](int place) {
+    const std::size_t index = order[static_cast<std::size_t>(place)];
+    const Task& task = tasks[index];
+    try {
+      const std::unique_ptr<core::Clusterer> clusterer = core::MakeClusterer(task.method, trainer);
+      outcomes[index] = core::Evaluate(*task.data_set, task.method, task.seed, clusterer.get());
+    } catch (const std::exception& error) {
+      faults->Add(task.data_set->name + ", " + task.method + ", seed " + std::to_string(task.seed) + ": " + error.what());
+    }
+    const std::lock_guard<std::mutex> lock(line_mutex);
+    done += task.size;
+    line.Show(done / total);
+  });
+  std::vector<core::EvaluationResult> results;
+  for (const std::optional<core::EvaluationResult>& outcome : outcomes) {
+    if (outcome) results.push_back(*outcome);
+  }
+  return results;
+}
+
+/// What is wrong with the name of a method; empty where nothing is.
+std::string MethodName(const std::string& name) {
+  try {
+    core::MakeClusterer(name, core::TrainerOptions{});
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void RunEvaluation(const Arguments& arguments) {
+  if (arguments.data.empty() && arguments.bags.bags.empty()) {
+    throw CLI::ValidationError("evaluate", "needs --data or --bags");
+  }
+  const Options options = ReadOptions(arguments.bags);
+  Faults faults;
+  const std::vector<core::DataSet> data_sets = ReadDataSets(arguments, options.reader, &faults);
+  const std::vector<Task> tasks = MakeTasks(arguments, data_sets);
+  const std::vector<core::EvaluationResult> results =
+      RunTasks(tasks, options.trainer, core::ThreadCount(arguments.jobs), &faults);
+  std::vector<std::string> names;
+  for (const core::DataSet& data_set : data_sets) names.push_back(data_set.name);
+  if (!names.empty()) WriteMarkdown(results, names, arguments.methods, &std::cout);
+  if (!arguments.json.empty()) WriteJson(results, arguments.json);
+  if (faults.any()) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void AddEvaluateCommand(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("evaluate", "Compares methods on data sets with known classes");
+  const auto arguments = std::make_shared<Arguments>();
+  command->add_option("--data", arguments->data, "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
+  command->add_option("--datasets", arguments->data_sets, "Names with commas between them, or all (default)")
+      ->delimiter(',');
+  command->add_option("--methods", arguments->methods, "Names with commas between them (default: every one)")
+      ->delimiter(',')
+      ->check(MethodName);
+  command->add_option("--bags", arguments->bags.bags, "Recorded bags as one more data set, with their outcomes as classes");
+  command->add_option("--test-bags", arguments->test_bags,
+                      "Bags to test on (default: half of each outcome's episodes of --bags)");
+  command->add_option("--bags-name", arguments->bags_name, "The bags' name in the table (default: of the first file)");
+  command->add_option("--wrench-topic", arguments->bags.wrench_topic, "The wrench in the bags, where there are several");
+  command->add_option("--segmentation", arguments->bags.segmentation, "What opens and closes an episode in the bags")
+      ->check(CLI::IsMember({"trigger", "contact", "action"}));
+  command->add_option("--config", arguments->bags.configs, "YAML files with parameters of nn_stne and of the bags' episodes");
+  command->add_option("--seeds", arguments->seeds, "Runs per data set and method, with the seeds 0, 1, ... (default 5)")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--jobs", arguments->jobs, "Runs at the same time (default: one per core); results stay the same")
+      ->check(CLI::Range(0, 1024));
+  command->add_option("--json", arguments->json, "Also writes every run's scores into this file");
+  command->callback([arguments] { RunEvaluation(*arguments); });
+}
+
+}  // namespace contact_shapelets::cli

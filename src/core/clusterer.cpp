@@ -1,0 +1,167 @@
+#include "contact_shapelets/core/clusterer.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "contact_shapelets/core/data_set.h"
+#include "contact_shapelets/core/feature_extractor.h"
+#include "contact_shapelets/core/k_shape.h"
+#include "contact_shapelets/core/kmeans.h"
+#include "contact_shapelets/core/series.h"
+#include "contact_shapelets/core/udfs.h"
+#include "contact_shapelets/core/uslm.h"
+
+namespace contact_shapelets::core {
+namespace {
+
+KMeansResult SharedKMeans(const Eigen::Ref<const Eigen::MatrixXf>& features, int clusters, std::uint64_t seed) {
+  KMeansOptions options;
+  options.clusters = clusters;
+  options.restarts = 20;
+  options.seed = seed;
+  return KMeans(features, options);
+}
+
+/// K-means on the z-normalised series themselves.
+class RawClusterer : public FeatureClusterer {
+ public:
+  Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
+    return EqualLengthRows(series, length_);
+  }
+
+ protected:
+  void Learn(const std::vector<Eigen::VectorXf>& train, int /*clusters*/, std::uint64_t /*seed*/) override {
+    length_ = MedianLength(train);
+  }
+
+ private:
+  int length_ = 0;
+};
+
+TrainingResult TrainOnSeries(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed,
+                             TrainerOptions options) {
+  options.clusters = clusters;
+  options.seed = seed;
+  options.threads = 1;
+  std::vector<Episode> episodes(train.size());
+  for (std::size_t index = 0; index < train.size(); ++index) {
+    episodes[index].id = std::to_string(index);
+    episodes[index].sample_period = 1.0;
+    episodes[index].force = train[index];
+  }
+  return TrainModel(episodes, options);
+}
+
+Eigen::MatrixXf Distances(const Model& model, const std::vector<Eigen::VectorXf>& series) {
+  const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
+  Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
+  for (std::size_t index = 0; index < series.size(); ++index) {
+    distances.row(static_cast<Eigen::Index>(index)) = extractor.Compute(series[index]).distances.transpose();
+  }
+  return distances;
+}
+
+/// The trainer and classifier of this package.
+class StneClusterer : public Clusterer {
+ public:
+  explicit StneClusterer(const TrainerOptions& options) : options_(options) {}
+
+  Eigen::VectorXi Fit(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) override {
+    TrainingResult result = TrainOnSeries(train, clusters, seed, options_);
+    model_ = std::move(result.model);
+    return result.labels;
+  }
+
+  Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
+    return model_.Features(Distances(model_, series));
+  }
+
+  Eigen::VectorXi Assign(const Eigen::Ref<const Eigen::MatrixXf>& features) const override {
+    Eigen::MatrixXf centroids(model_.clusters.size(), features.cols());
+    for (std::size_t index = 0; index < model_.clusters.size(); ++index) {
+      centroids.row(static_cast<Eigen::Index>(index)) = model_.clusters[index].centroid.transpose();
+    }
+    return NearestCentroids(centroids, features);
+  }
+
+  Eigen::VectorXi ClusterAnew(const Eigen::Ref<const Eigen::MatrixXf>& features) const override {
+    return SharedKMeans(features, static_cast<int>(model_.clusters.size()), model_.provenance.seed).labels;
+  }
+
+ private:
+  TrainerOptions options_;
+  Model model_;
+};
+
+/// The paper's method: one scale, attraction alone, every window, length by the L1 norm, K-means on the distances.
+class PaperClusterer : public FeatureClusterer {
+ public:
+  Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
+    return Distances(model_, series);
+  }
+
+ protected:
+  void Learn(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) override {
+    TrainerOptions options;
+    options.learner.objective = Objective::kPaper;
+    options.learner.scales = {0.4};
+    options.learner.flat_fraction = 0.0;
+    options.learner.sparsity = 0.1;
+    options.learner.steps = 40;
+    model_ = TrainOnSeries(train, clusters, seed, options).model;
+  }
+
+ private:
+  Model model_;
+};
+
+/// The number K of the name "udfs_kK", 1 to 999; 0 where it is not of that form.
+int UdfsNeighbours(const std::string& name) {
+  const std::string prefix = "udfs_k";
+  const std::string digits = name.substr(std::min(prefix.size(), name.size()));
+  const bool number = !digits.empty() && digits.size() <= 3 && digits.find_first_not_of("0123456789") == std::string::npos;
+  return name.compare(0, prefix.size(), prefix) == 0 && number ? std::stoi(digits) : 0;
+}
+
+}  // namespace
+
+Eigen::VectorXi FeatureClusterer::Fit(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) {
+  Learn(train, clusters, seed);
+  clusters_ = clusters;
+  seed_ = seed;
+  KMeansResult result = SharedKMeans(Transform(train), clusters, seed);
+  centroids_ = std::move(result.centroids);
+  return result.labels;
+}
+
+Eigen::VectorXi FeatureClusterer::Assign(const Eigen::Ref<const Eigen::MatrixXf>& features) const {
+  return NearestCentroids(centroids_, features);
+}
+
+Eigen::VectorXi FeatureClusterer::ClusterAnew(const Eigen::Ref<const Eigen::MatrixXf>& features) const {
+  return SharedKMeans(features, clusters_, seed_).labels;
+}
+
+const std::vector<std::string>& ClustererNames() {
+  static const std::vector<std::string> names{"kmeans", "udfs", "kshape", "uslm", "nn_stne", "nn_stne_paper"};
+  return names;
+}
+
+std::unique_ptr<Clusterer> MakeClusterer(const std::string& name, const TrainerOptions& options) {
+  if (name == "kmeans") return std::make_unique<RawClusterer>();
+  if (name == "udfs") return std::make_unique<UdfsClusterer>(UdfsOptions{});
+  if (const int neighbours = UdfsNeighbours(name); neighbours > 0) {
+    UdfsOptions udfs;
+    udfs.neighbours = neighbours;
+    return std::make_unique<UdfsClusterer>(udfs);
+  }
+  if (name == "kshape") return std::make_unique<KShapeClusterer>();
+  if (name == "uslm") return std::make_unique<UslmClusterer>(UslmOptions{});
+  if (name == "nn_stne") return std::make_unique<StneClusterer>(options);
+  if (name == "nn_stne_paper") return std::make_unique<PaperClusterer>();
+  std::string names;
+  for (const std::string& known : ClustererNames()) names += known + ", ";
+  throw std::invalid_argument("there is no method " + name + "; there are " + names + "and udfs_k1 to udfs_k999");
+}
+
+}  // namespace contact_shapelets::core

@@ -1,0 +1,19 @@
+#include "contact_shapelets/core/data_set.h"
+
+#include <stdexcept>
+
+#include "contact_shapelets/core/series.h"
+
+namespace contact_shapelets::core {
+
+Eigen::MatrixXf EqualLengthRows(const std::vector<Eigen::VectorXf>& series, int length) {
+  if (series.empty()) throw std::invalid_argument("there is no series");
+  if (length < 2) throw std::invalid_argument("series must have at least 2 values");
+  Eigen::MatrixXf rows(series.size(), length);
+  for (std::size_t index = 0; index < series.size(); ++index) {
+    rows.row(static_cast<Eigen::Index>(index)) = ZNormalised(StretchedTo(series[index], length)).transpose();
+  }
+  return rows;
+}
+
+}  // namespace contact_shapelets::core
