@@ -84,7 +84,8 @@ core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions&
   data_set.class_count = static_cast<int>(numbers.size());
   const auto fewest = static_cast<int>(std::min(data_set.train.series.size(), data_set.test.series.size()));
   if (data_set.class_count < 2 || fewest < data_set.class_count) {
-    throw std::runtime_error(Joined(paths) + ": expected 2 or more outcomes and an episode for each in both splits, found " +
+    throw std::runtime_error(Joined(paths) +
+                             ": expected 2 or more outcomes and an episode for each in both splits, found " +
                              std::to_string(data_set.class_count) + " outcomes and " + std::to_string(fewest) +
                              " episodes in the smaller split");
   }
@@ -137,11 +138,12 @@ std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<core::
 }
 
 /// Results in the order of `tasks`, those that failed left out.
-std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer, int jobs,
-                                             Faults* faults) {
+std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer,
+                                             int jobs, Faults* faults) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return tasks[a].size > tasks[b].size; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return tasks[a].size > tasks[b].size; });
   const double total =
       std::accumulate(tasks.begin(), tasks.end(), 0.0, [](double sum, const Task& task) { return sum + task.size; });
   std::vector<std::optional<core::EvaluationResult>> outcomes(tasks.size());
@@ -155,7 +157,8 @@ std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, con
       const std::unique_ptr<core::Clusterer> clusterer = core::MakeClusterer(task.method, trainer);
       outcomes[index] = core::Evaluate(*task.data_set, task.method, task.seed, clusterer.get());
     } catch (const std::exception& error) {
-      faults->Add(task.data_set->name + ", " + task.method + ", seed " + std::to_string(task.seed) + ": " + error.what());
+      faults->Add(task.data_set->name + ", " + task.method + ", seed " + std::to_string(task.seed) + ": " +
+                  error.what());
     }
     const std::lock_guard<std::mutex> lock(line_mutex);
     done += task.size;
@@ -183,6 +186,7 @@ void RunEvaluation(const Arguments& arguments) {
     throw CLI::ValidationError("evaluate", "needs --data or --bags");
   }
   const Options options = ReadOptions(arguments.bags);
+  if (!arguments.json.empty()) CheckOutput("--json", arguments.json, arguments.bags.bags);
   Faults faults;
   const std::vector<core::DataSet> data_sets = ReadDataSets(arguments, options.reader, &faults);
   const std::vector<Task> tasks = MakeTasks(arguments, data_sets);
@@ -200,20 +204,24 @@ void RunEvaluation(const Arguments& arguments) {
 void AddEvaluateCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand("evaluate", "Compares methods on data sets with known classes");
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("--data", arguments->data, "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
+  command->add_option("--data", arguments->data,
+                      "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
   command->add_option("--datasets", arguments->data_sets, "Names with commas between them, or all (default)")
       ->delimiter(',');
   command->add_option("--methods", arguments->methods, "Names with commas between them (default: every one)")
       ->delimiter(',')
       ->check(MethodName);
-  command->add_option("--bags", arguments->bags.bags, "Recorded bags as one more data set, with their outcomes as classes");
+  command->add_option("--bags", arguments->bags.bags,
+                      "Recorded bags as one more data set, with their outcomes as classes");
   command->add_option("--test-bags", arguments->test_bags,
                       "Bags to test on (default: half of each outcome's episodes of --bags)");
   command->add_option("--bags-name", arguments->bags_name, "The bags' name in the table (default: of the first file)");
-  command->add_option("--wrench-topic", arguments->bags.wrench_topic, "The wrench in the bags, where there are several");
+  command->add_option("--wrench-topic", arguments->bags.wrench_topic,
+                      "The wrench in the bags, where there are several");
   command->add_option("--segmentation", arguments->bags.segmentation, "What opens and closes an episode in the bags")
       ->check(CLI::IsMember({"trigger", "contact", "action"}));
-  command->add_option("--config", arguments->bags.configs, "YAML files with parameters of nn_stne and of the bags' episodes");
+  command->add_option("--config", arguments->bags.configs,
+                      "YAML files with parameters of nn_stne and of the bags' episodes");
   command->add_option("--seeds", arguments->seeds, "Runs per data set and method, with the seeds 0, 1, ... (default 5)")
       ->check(CLI::Range(1, 10000));
   command->add_option("--jobs", arguments->jobs, "Runs at the same time (default: one per core); results stay the same")

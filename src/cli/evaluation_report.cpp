@@ -100,8 +100,9 @@ std::string Quoted(const std::string& text) {
 }
 
 void WriteScores(const char* name, const core::PartitionScores& scores, std::ostream* stream) {
-  *stream << ", \"" << name << "\": {\"rand_index\": " << scores.rand_index << ", \"ari\": " << scores.adjusted_rand_index
-          << ", \"nmi\": " << scores.normalised_mutual_information << ", \"acc\": " << scores.accuracy << '}';
+  *stream << ", \"" << name << "\": {\"rand_index\": " << scores.rand_index
+          << ", \"ari\": " << scores.adjusted_rand_index << ", \"nmi\": " << scores.normalised_mutual_information
+          << ", \"acc\": " << scores.accuracy << '}';
 }
 
 }  // namespace
@@ -119,13 +120,14 @@ void WriteMarkdown(const std::vector<core::EvaluationResult>& results, const std
              cell_of([](const core::EvaluationResult& result) { return result.train.rand_index; }), stream);
   WriteTable("test by nearest centroid", data_sets, methods, nearest, stream);
   WriteTable("test clustered anew", data_sets, methods, anew, stream);
-  WriteTable("test, the better of the two means", data_sets, methods,
-             [&](const std::string& data_set, const std::string& method) {
-               const Summary first = nearest(data_set, method);
-               const Summary second = anew(data_set, method);
-               return second.mean > first.mean ? second : first;
-             },
-             stream);
+  WriteTable(
+      "test, the better of the two means", data_sets, methods,
+      [&](const std::string& data_set, const std::string& method) {
+        const Summary first = nearest(data_set, method);
+        const Summary second = anew(data_set, method);
+        return second.mean > first.mean ? second : first;
+      },
+      stream);
 }
 
 void WriteJson(const std::vector<core::EvaluationResult>& results, const std::string& path) {

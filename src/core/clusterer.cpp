@@ -119,7 +119,8 @@ class PaperClusterer : public FeatureClusterer {
 int UdfsNeighbours(const std::string& name) {
   const std::string prefix = "udfs_k";
   const std::string digits = name.substr(std::min(prefix.size(), name.size()));
-  const bool number = !digits.empty() && digits.size() <= 3 && digits.find_first_not_of("0123456789") == std::string::npos;
+  const bool number =
+      !digits.empty() && digits.size() <= 3 && digits.find_first_not_of("0123456789") == std::string::npos;
   return name.compare(0, prefix.size(), prefix) == 0 && number ? std::stoi(digits) : 0;
 }
 

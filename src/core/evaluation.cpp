@@ -27,7 +27,8 @@ LabelledSeries Chosen(const LabelledSeries& all, std::vector<int> indices) {
 
 }  // namespace
 
-EvaluationResult Evaluate(const DataSet& data_set, const std::string& method, std::uint64_t seed, Clusterer* clusterer) {
+EvaluationResult Evaluate(const DataSet& data_set, const std::string& method, std::uint64_t seed,
+                          Clusterer* clusterer) {
   const LabelledSeries train = ZNormalisedSeries(data_set.train);
   const LabelledSeries test = ZNormalisedSeries(data_set.test);
   EvaluationResult result;

@@ -105,8 +105,9 @@ UcrFile ReadFile(const std::string& path) {
     const std::vector<std::string> fields = Fields(line);
     if (width == 0) width = fields.size();
     if (fields.size() != width) {
-      Fail(path, row, "expected " + std::to_string(width) + " columns as in the first row, found " +
-                          std::to_string(fields.size()));
+      Fail(
+          path, row,
+          "expected " + std::to_string(width) + " columns as in the first row, found " + std::to_string(fields.size()));
     }
     AddRow(fields, row, &file);
   }
@@ -153,7 +154,8 @@ void CheckMembers(const UcrFile& file, const UcrFile& other, std::vector<std::st
     if (members.first > 1) continue;
     const auto found = others.find(label);
     const std::string what = "class " + ClassText(label) + " has one member";
-    if (found == others.end() || found->second.first < 2) Fail(file.path, members.second, what + ", expected 2 or more");
+    if (found == others.end() || found->second.first < 2)
+      Fail(file.path, members.second, what + ", expected 2 or more");
     if (notes != nullptr) notes->push_back(file.path + ": row " + std::to_string(members.second) + ": " + what);
   }
 }
@@ -161,8 +163,9 @@ void CheckMembers(const UcrFile& file, const UcrFile& other, std::vector<std::st
 void CheckCount(const UcrFile& file, std::size_t class_count) {
   if (class_count < 2) Fail(file.path, file.rows.back(), "the data set ends with 1 class, expected 2 or more");
   if (file.series.size() >= class_count) return;
-  Fail(file.path, file.rows.back(), "the file ends with " + std::to_string(file.series.size()) + " series, fewer than the " +
-                                        std::to_string(class_count) + " classes of the data set");
+  Fail(file.path, file.rows.back(),
+       "the file ends with " + std::to_string(file.series.size()) + " series, fewer than the " +
+           std::to_string(class_count) + " classes of the data set");
 }
 
 LabelledSeries Numbered(UcrFile file, const std::map<double, int>& numbers) {

@@ -57,7 +57,8 @@ Eigen::MatrixXd StartingShapelets(const Eigen::Ref<const Eigen::MatrixXd>& serie
   constexpr int kMostWindows = 3000;
   const int per_series = static_cast<int>(series.cols()) - length + 1;
   const int all = per_series * static_cast<int>(series.rows());
-  if (all < count) throw std::invalid_argument("USLM needs more or longer series: there are fewer windows than shapelets");
+  if (all < count)
+    throw std::invalid_argument("USLM needs more or longer series: there are fewer windows than shapelets");
   Random random(seed);
   const std::vector<int> chosen = random.Sample(all, std::min(all, kMostWindows));
   Eigen::MatrixXf windows(chosen.size(), length);
@@ -166,8 +167,7 @@ Eigen::MatrixXd UslmLearner::ShapeletSimilarity(const Eigen::MatrixXd& shapelets
 Eigen::MatrixXd UslmLearner::ShapeletGradient() const {
   // 1/2 tr(Y L Y^T) = 1/4 sum_ij G_ij |y_i - y_j|^2, so with A_ij = G_ij |y_i - y_j|^2 its derivative by x_i is
   // -1/sigma^2 sum_j A_ij (x_i - x_j): minus X times the Laplacian of A.
-  const Eigen::MatrixXd pairs =
-      Similarity(distances_, graph_width_).cwiseProduct(SquaredDistances(pseudo_labels_));
+  const Eigen::MatrixXd pairs = Similarity(distances_, graph_width_).cwiseProduct(SquaredDistances(pseudo_labels_));
   Eigen::MatrixXd pull = -distances_ * Laplacian(pairs) / graph_width_;
   pull += options_.regression * classifier_ * (classifier_.transpose() * distances_ - pseudo_labels_);
   Eigen::MatrixXd gradient = PullThroughSoftMinimum(series_, shapelets_, options_.softness, pull);

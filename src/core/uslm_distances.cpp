@@ -5,7 +5,8 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Distances d [J, K] of all windows to all shapelets, and their weights in the soft minimum, of sum 1 for each shapelet.
+/// Distances d [J, K] of all windows to all shapelets, and their weights in the soft minimum, of sum 1 for each
+/// shapelet.
 struct WindowDistances {
   Eigen::MatrixXd values;
   Eigen::MatrixXd weights;

@@ -21,8 +21,8 @@ class Clusterer {
   Clusterer(const Clusterer&) = delete;
   Clusterer& operator=(const Clusterer&) = delete;
 
-  /// Learns from `train` (N series) and splits it into `clusters` (at least 2); returns the labels [N]. Equal seeds give
-  /// equal results. \throws std::invalid_argument where the method cannot work on these series.
+  /// Learns from `train` (N series) and splits it into `clusters` (at least 2); returns the labels [N]. Equal seeds
+  /// give equal results. \throws std::invalid_argument where the method cannot work on these series.
   virtual Eigen::VectorXi Fit(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) = 0;
 
   /// What the method looks at, one row for each of `series`. Call Fit() first, also for the two below.
@@ -55,10 +55,10 @@ class FeatureClusterer : public Clusterer {
 /// Names of the methods that are compared by default, all known to MakeClusterer().
 const std::vector<std::string>& ClustererNames();
 
-/// The method `name`: "kmeans" on the z-normalised series; "udfs" (udfs.h) with 5 neighbours, "udfs_k1" to "udfs_k999" with as
-/// many; "kshape" (k_shape.h); "uslm" (uslm.h); "nn_stne", this package's trainer with `options`; "nn_stne_paper", the
-/// paper's objective and distances with one scale and none of the additions, whatever `options` says.
-/// \throws std::invalid_argument naming the methods where there is none of that name.
+/// The method `name`: "kmeans" on the z-normalised series; "udfs" (udfs.h) with 5 neighbours, "udfs_k1" to "udfs_k999"
+/// with as many; "kshape" (k_shape.h); "uslm" (uslm.h); "nn_stne", this package's trainer with `options`;
+/// "nn_stne_paper", the paper's objective and distances with one scale and none of the additions, whatever `options`
+/// says. \throws std::invalid_argument naming the methods where there is none of that name.
 std::unique_ptr<Clusterer> MakeClusterer(const std::string& name, const TrainerOptions& options);
 
 }  // namespace contact_shapelets::core

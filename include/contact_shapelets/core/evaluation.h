@@ -31,8 +31,8 @@ EvaluationResult Evaluate(const DataSet& data_set, const std::string& method, st
 /// `data` with every series z-normalised.
 LabelledSeries ZNormalisedSeries(const LabelledSeries& data);
 
-/// Splits `all` into a training part of `train_part` (0, 1) of each class and a test part of the rest, by a shuffle from
-/// `seed`; a class of 2 or more has at least one series in each. `class_count` is the number of classes in `all`.
+/// Splits `all` into a training part of `train_part` (0, 1) of each class and a test part of the rest, by a shuffle
+/// from `seed`; a class of 2 or more has at least one series in each. `class_count` is the number of classes in `all`.
 DataSet SplitByClass(const std::string& name, const LabelledSeries& all, int class_count, double train_part,
                      std::uint64_t seed);
 

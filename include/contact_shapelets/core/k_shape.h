@@ -30,8 +30,8 @@ class ShapeComparer {
   /// The transforms of `series` [N, length], one per row of the result, with which Compare() is given them.
   Eigen::MatrixXcd Spectra(const Eigen::Ref<const Eigen::MatrixXd>& series) const;
 
-  /// SBD(x, y) = 1 - max_w CC_w(x, y) / (|x| |y|) over all shifts, from the series' spectra and norms; of equal shifts the
-  /// shortest one, of those the one to the right.
+  /// SBD(x, y) = 1 - max_w CC_w(x, y) / (|x| |y|) over all shifts, from the series' spectra and norms; of equal shifts
+  /// the shortest one, of those the one to the right.
   ShapeDistance Compare(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
                         const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const;
 
@@ -46,9 +46,9 @@ ShapeDistance CompareShapes(const Eigen::Ref<const Eigen::VectorXd>& x, const Ei
 /// `series` moved right by `shift` samples (left where negative), zeros where nothing is.
 Eigen::VectorXd Shifted(const Eigen::Ref<const Eigen::VectorXd>& series, int shift);
 
-/// The shape that `members` [n, m] have in common (section 3.2, algorithm 2 of the paper): each is aligned to `reference` [m],
-/// unless that is zero; the leading eigenvector of Q^T S Q with S = sum x x^T, Q = I - 1 1^T / m, with the sign that most
-/// members have, z-normalised. All zeros where all members are constant.
+/// The shape that `members` [n, m] have in common (section 3.2, algorithm 2 of the paper): each is aligned to
+/// `reference` [m], unless that is zero; the leading eigenvector of Q^T S Q with S = sum x x^T, Q = I - 1 1^T / m, with
+/// the sign that most members have, z-normalised. All zeros where all members are constant.
 Eigen::VectorXd ExtractShape(const Eigen::Ref<const Eigen::MatrixXd>& members,
                              const Eigen::Ref<const Eigen::VectorXd>& reference);
 
@@ -67,8 +67,8 @@ struct KShapeResult {
   double inertia = 0.0;       ///< sum of the distances to the assigned centroids
 };
 
-/// Clusters the rows of `series` [N, m], z-normalised (algorithm 3 of the paper). A cluster that empties takes the series
-/// farthest from its centroid. \throws std::invalid_argument where N < C or an option is out of range.
+/// Clusters the rows of `series` [N, m], z-normalised (algorithm 3 of the paper). A cluster that empties takes the
+/// series farthest from its centroid. \throws std::invalid_argument where N < C or an option is out of range.
 KShapeResult KShape(const Eigen::Ref<const Eigen::MatrixXd>& series, const KShapeOptions& options);
 
 /// For each row of `series` [N, m] the row of `centroids` [C, m] of least SBD.

@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# Computes the results of docs/evaluation.md and writes its tables anew.
+#
+#   scripts/evaluate.sh [DATA [RESULTS]]
+#
+# DATA is a folder of the UCR archive (default: ../shared/data/ucr), RESULTS the folder for the scores of every run as JSON
+# (default: in the build's workspace). A JSON that is already there is kept: delete it to compute it again.
+# METHODS="nn_stne" restricts the comparison to some methods, JOBS=4 sets the runs at the same time, SEEDS=5 those per cell.
+set -euo pipefail
+
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+package=$(dirname "$scripts")
+data=${1:-$package/../shared/data/ucr}
+if [ ! -d "$data" ]; then
+  echo "$data: expected a folder of the UCR archive, with CBF/CBF_TRAIN.tsv and so on, found none" >&2
+  exit 1
+fi
+setup=$("$scripts/build.sh")
+workspace=$(dirname "$(dirname "$setup")")
+results=${2:-$workspace/evaluation}
+mkdir -p "$results"
+
+set +u
+. "$setup"
+set -u
+shapelets=$workspace/devel/lib/contact_shapelets/shapelets
+bags=(--bags "$package/bags/switch_push_train.bag" --test-bags "$package/bags/switch_push_test.bag"
+      --bags-name "switch push")
+development=ECG200,CBF,FaceFour,OSULeaf,ArrowHead,BeetleFly,Car,DistalPhalanxTW,FaceAll,Ham,ItalyPowerDemand,Meat,MoteStrain,SwedishLeaf
+
+evaluate() {  # NAME ARGUMENT...
+  local name=$1
+  shift
+  [ -s "$results/$name.json" ] && return
+  echo "== $name" >&2
+  "$shapelets" evaluate --data "$data" "${bags[@]}" --seeds "${SEEDS:-5}" --jobs "${JOBS:-0}" \
+    --json "$results/$name.json.part" "$@" >"$results/$name.md"
+  mv "$results/$name.json.part" "$results/$name.json"
+}
+
+for method in ${METHODS:-kmeans udfs kshape uslm nn_stne nn_stne_paper udfs_k2 udfs_k3 udfs_k8 udfs_k12}; do
+  evaluate "method_$method" --datasets all --methods "$method"
+done
+
+# One ingredient off at a time, on the development sets.
+ablation() {  # NAME YAML
+  printf '%s\n' "$2" >"$results/ablation_$1.yaml"
+  evaluate "ablation_$1" --datasets "$development" --methods nn_stne --config "$results/ablation_$1.yaml"
+}
+ablation no_contrastive_term "objective: paper"
+ablation one_scale "scales: [0.4]"
+ablation no_flat_gate "flat_fraction: 0.0"
+ablation length_by_l1 "sparsity: 0.1"
+ablation no_diversity "diversity: 0.0"
+ablation no_scale_weights "scale_exponent: 0.0"
+ablation no_training "steps: 0"
+
+/usr/bin/python3 "$scripts/evaluation_tables.py" "$results" "$package/docs/evaluation.md"
