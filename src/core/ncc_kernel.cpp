@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -17,6 +19,14 @@ using tile::kPair;
 constexpr float kMargin = 2e-6F;
 /// More than any value.
 constexpr float kBeyond = 2.0F;
+
+/// Energies that prune nothing.
+tile::Energies Whole() {
+  tile::Energies energies{};
+  std::fill(std::begin(energies.head), std::end(energies.head), 1.0F);
+  std::fill(std::begin(energies.tail), std::end(energies.tail), 1.0F);
+  return energies;
+}
 
 /// CC_w of one window, by the definition, in double precision.
 double Evaluate(const WindowSet& windows, const float* shapelet, int window, int shift) {
@@ -45,9 +55,10 @@ class Search {
   }
 
   void Run(int first, int count, bool prune) {
-    const PreparedWindows block(loops_, windows_, first, count, prepared_.block, prepared_.blocks, prune);
+    const PreparedWindows block(loops_, windows_, first, count, prepared_.block, prune);
     const int stride = block.full_tiles() * loops_.positions + tile::kPadding;
     Eigen::ArrayXf sums(kGroup * stride);
+    largest_.resize(static_cast<std::size_t>(kGroup * block.full_tiles()));
     for (int group = 0; group < prepared_.groups; ++group) {
       TakeFullOverlaps(block, group, stride, sums.data());
       for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
@@ -80,6 +91,7 @@ class Search {
     arguments.shapelets = prepared_.prefix.values.col(prepared_.length * group).data();
     arguments.scale = block.scale();
     arguments.sums = sums;
+    arguments.largest = largest_.data();
     arguments.length = prepared_.length;
     arguments.count = block.full_tiles() * loops_.positions;
     arguments.stride = stride;
@@ -92,7 +104,13 @@ class Search {
   }
 
   void SearchInDouble(int k, int window) {
-    for (int shift = 1 - windows_.length(); shift < windows_.length(); ++shift) Offer(k, window, shift);
+    for (int shift = 1 - windows_.length(); shift < windows_.length(); ++shift) {
+      const float best = Threshold(k);
+      const OverlapSide& side = shift > 0 ? prepared_.prefix : prepared_.suffix;
+      const int overlap = windows_.length() - std::abs(shift);
+      if (shift != 0 && side.energies[k].head[(overlap - 1) / prepared_.block] <= best * best) continue;
+      Offer(k, window, shift);
+    }
   }
 
   /// `direction` is 1 for shifts w > 0 and -1 for w < 0.
@@ -100,20 +118,19 @@ class Search {
                            const float* sums, bool prune) {
     const int length = prepared_.length;
     const OverlapSide& side = direction > 0 ? prepared_.prefix : prepared_.suffix;
-    const Eigen::MatrixXf whole = prune ? Eigen::MatrixXf() : Eigen::MatrixXf::Ones(kGroup, prepared_.blocks).eval();
     tile::PartialArguments arguments{};
     arguments.values = &side.values(pair, length * group);
     arguments.within = &side.within(pair, length * group);
-    arguments.energy = prune ? &side.energy(pair, prepared_.blocks * group) : whole.data();
+    arguments.energies = prune ? &side.energies[static_cast<std::size_t>(group * kGroup + pair)] : whole_.data();
     arguments.samples = block.series() + (direction > 0 ? 0 : length - 1);
     arguments.mean = block.mean() - direction * length;
     arguments.spread = block.spread() - direction * length;
     arguments.scale = block.scale() - direction * length;
     arguments.sums = sums + pair * stride;
-    arguments.bounds = direction > 0 ? block.prefix_bounds() : block.suffix_bounds();
+    arguments.largest = largest_.data() + pair;
+    arguments.bounds = block.bounds(direction);
     arguments.length = length;
     arguments.block = prepared_.block;
-    arguments.blocks = prepared_.blocks;
     arguments.direction = direction;
     arguments.stride = stride;
     arguments.full_tiles = block.full_tiles();
@@ -142,6 +159,8 @@ class Search {
   const WindowSet& windows_;
   const ShapeletSet& shapelets_;
   const PreparedShapelets& prepared_;
+  const std::array<tile::Energies, kPair> whole_{Whole(), Whole()};
+  std::vector<float> largest_;  ///< full overlap of a group in each tile, interleaved
   std::vector<Match>& matches_;
 };
 

@@ -15,17 +15,16 @@ namespace contact_shapelets::core {
 struct OverlapSide {
   Eigen::MatrixXf values;  ///< [kGroup, M G]: of group g at column M g, from the end that always overlaps
   Eigen::MatrixXf within;  ///< [kGroup, M G]: sums of the first values; the overlap of 0 samples at column M g
-  Eigen::MatrixXf energy;  ///< [kGroup, B G]: by block of overlaps, the energy within its largest one, [0, 1]
+  std::vector<tile::Energies> energies;  ///< [kGroup G]
 };
 
-/// What PreparedShapelets has of the shapelets of one set, in G groups of tile::kGroup; zeros fill the last one.
+/// The shapelets of one set, in G groups of tile::kGroup; zeros fill the last one.
 struct PreparedShapelets {
   explicit PreparedShapelets(const Eigen::Ref<const Eigen::MatrixXf>& normalised);
 
   int length;
   int groups;
-  int block;   ///< overlaps in a block
-  int blocks;  ///< B, blocks in the M - 1 partial overlaps
+  int block;  ///< overlaps in a block
   std::vector<bool> constant;
   OverlapSide prefix;
   OverlapSide suffix;
@@ -35,8 +34,7 @@ struct PreparedShapelets {
 class PreparedWindows {
  public:
   /// Takes `count` windows from `first` on.
-  PreparedWindows(const tile::Loops& loops, const WindowSet& windows, int first, int count, int block, int blocks,
-                  bool prune);
+  PreparedWindows(const tile::Loops& loops, const WindowSet& windows, int first, int count, int block, bool prune);
 
   int first() const { return first_; }
   int count() const { return count_; }
@@ -51,13 +49,14 @@ class PreparedWindows {
   const float* mean() const { return mean_.data() + margin_; }
   const float* spread() const { return spread_.data() + margin_; }
   const float* scale() const { return scale_.data() + margin_; }
-  const float* prefix_bounds() const { return prefix_bounds_.data() + further_tiles_ * blocks_; }
-  const float* suffix_bounds() const { return suffix_bounds_.data() + further_tiles_ * blocks_; }
+  /// Bounds by tile for the overlaps of a direction, 1 or -1.
+  const tile::Bounds* bounds(int direction) const {
+    return (direction > 0 ? prefix_bounds_ : suffix_bounds_).data() + further_tiles_;
+  }
 
  private:
   void FillWindows(const WindowSet& windows);
-  void FillBounds(const tile::Loops& loops, const WindowSet& windows, bool prune);
-  void FillBlock(int block, const Eigen::Ref<const Eigen::ArrayXf>& prefix, const Eigen::Ref<const Eigen::ArrayXf>& suffix);
+  void FillBounds(const tile::Loops& loops, bool prune);
 
   int length_;
   int first_;
@@ -66,15 +65,14 @@ class PreparedWindows {
   int further_tiles_;
   int margin_;  ///< what positions may jut out
   int block_;
-  int blocks_;
   Eigen::ArrayXf series_;
   Eigen::ArrayXf mean_;
   Eigen::ArrayXf spread_;
   Eigen::ArrayXf scale_;
-  Eigen::ArrayXd sums_;     ///< of the centred values
-  Eigen::ArrayXd squares_;
-  Eigen::ArrayXf prefix_bounds_;  ///< by tile and block
-  Eigen::ArrayXf suffix_bounds_;
+  Eigen::ArrayXf sums_;  ///< of the centred values before a sample, in the same places as the series
+  Eigen::ArrayXf squares_;
+  std::vector<tile::Bounds> prefix_bounds_;
+  std::vector<tile::Bounds> suffix_bounds_;
   std::vector<int> hard_;
 };
 

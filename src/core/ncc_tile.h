@@ -25,6 +25,7 @@ struct FullArguments {
   const float* shapelets;  ///< of the group
   const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
   float* sums;
+  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]
   int length;
   int count;
   int stride;
@@ -34,24 +35,39 @@ struct FullResult {
   int position[kGroup];  ///< of `most`; -1 where it is 0
 };
 
+/// Blocks that the M - 1 partial overlaps are divided into at the most, for bounds that all in a block share.
+constexpr int kBlocks = 16;
+/// What bounds the values of a tile in each block of overlaps: the largest ones of all windows that these reach. Zeros where
+/// there is no block.
+struct Bounds {
+  float head[kBlocks];   ///< part of a window's energy within the overlap, [0, 1]
+  float tail[kBlocks];   ///< energy, about the window's mean, of what the shapelet's other samples fall on, over M sigma^2
+  float scale[kBlocks];  ///< 1 / (M sigma)
+};
+/// The same of a shapelet.
+struct Energies {
+  float head[kBlocks];  ///< the largest part of its energy within the overlap, [0, 1]
+  float tail[kBlocks];  ///< the largest part without
+};
+
 /// Partial overlaps of a pair of shapelets.
 struct PartialArguments {
   const float* values;   ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
   const float* within;   ///< by overlap from 0: the sum of the shapelet's values within, interleaved
-  const float* energy;   ///< by block of overlaps: the largest part of the shapelet's energy within, interleaved
   const float* samples;  ///< of the series: the overlap's last sample at position 0 and overlap 1
   const float* mean;     ///< mu of the window of position 0 and overlap 0
   const float* spread;   ///< M sigma of that window; huge where a window does not count
   const float* scale;    ///< 1 / (M sigma) of that window; 0 where a window does not count
   const float* sums;     ///< full overlaps at position 0
-  const float* bounds;   ///< by tile and block: the largest part of a window's energy within the overlap
+  const float* largest;  ///< full overlap by tile, interleaved
+  const Energies* energies;  ///< of the shapelets
+  const Bounds* bounds;      ///< by tile
   int length;            ///< M
   int block;             ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
-  int blocks;            ///< in the M - 1 overlaps
   int direction;
   int stride;        ///< between the shapelets in `sums`
   int full_tiles;    ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
-  float best[kPair];  ///< what a value must exceed, above 0
+  float best[kPair];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
 };
 /// A value, and where it is.
 struct TileResult {
@@ -62,13 +78,14 @@ struct TileResult {
 
 /// What makes the table of bounds: sums over the first q samples of a series, and the windows.
 struct EnergyArguments {
-  const double* sums;     ///< of the values, by q
-  const double* squares;  ///< of their squares, by q
-  const double* mean;     ///< mu by window
-  const double* scale;    ///< 1 / (M sigma^2) by window; 0 where a window does not count
-  int first;              ///< sample of window 0 that the overlap begins with
-  int overlap;
-  int count;              ///< windows, rounded up to whole tiles
+  const float* sums;     ///< of the values, by q
+  const float* squares;  ///< of their squares, by q
+  const float* mean;     ///< mu by window
+  const float* scale;    ///< 1 / (M sigma^2) by window; 0 where a window does not count
+  float rounding;        ///< what these sums may be off by, in the unit of the squares
+  int first;             ///< sample, counted from the beginning of each window
+  int samples;           ///< from there on
+  int count;             ///< windows, rounded up to whole vectors
 };
 
 /// The loops for one instruction set.
@@ -80,7 +97,7 @@ struct Loops {
   int (*find_better)(const PartialArguments& arguments, int tile, int end);
   /// The largest value of one shapelet of the pair in a tile, among those that the bounds leave.
   void (*most_in_tile)(const PartialArguments& arguments, int shapelet, int tile, TileResult* result);
-  /// energies[j] = the part of window j's energy, [0, 1], within the overlap.
+  /// energies[j] = sum (t - mu_j)^2 scale_j over the given samples of window j, or a little more.
   void (*window_energies)(const EnergyArguments& arguments, float* energies);
 };
 

@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::core::tile {
 
-Loops Avx2Loops() { return TileLoops<8, 2, 2>::All("avx2"); }
+Loops Avx2Loops() { return TileLoops<8, 2>::All("avx2"); }
 
 }  // namespace contact_shapelets::core::tile
 

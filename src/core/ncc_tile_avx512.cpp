@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::core::tile {
 
-Loops Avx512Loops() { return TileLoops<16, 2, 2>::All("avx512"); }
+Loops Avx512Loops() { return TileLoops<16, 2>::All("avx512"); }
 
 }  // namespace contact_shapelets::core::tile
 

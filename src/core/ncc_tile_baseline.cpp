@@ -2,6 +2,6 @@
 
 namespace contact_shapelets::core::tile {
 
-Loops BaselineLoops() { return TileLoops<4, 2, 2>::All("baseline"); }
+Loops BaselineLoops() { return TileLoops<4, 2>::All("baseline"); }
 
 }  // namespace contact_shapelets::core::tile

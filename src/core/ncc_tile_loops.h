@@ -8,13 +8,16 @@ namespace contact_shapelets::core::tile {
 namespace {
 
 /// `Lanes` floats that one instruction works on, and vectors of them per shapelet in registers.
-template <int Lanes, int FullVectors, int Vectors>
+template <int Lanes, int Vectors>
 struct TileLoops {
   typedef float Vector __attribute__((vector_size(Lanes * sizeof(float))));
   typedef int Integers __attribute__((vector_size(Lanes * sizeof(int))));
-  typedef double Doubles __attribute__((vector_size(Lanes * sizeof(float))));
   static constexpr int kPositions = Lanes * Vectors;
-  static_assert(kPositions <= kPadding && Lanes * FullVectors <= kPadding, "tiles reach beyond the padding");
+  /// A full overlap that may be anything.
+  static constexpr float kUnknown = 1e30F;
+  static constexpr int kBits[kBlocks] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  static_assert(kPositions <= kPadding, "tiles reach beyond the padding");
 
   template <typename Type>
   static Type Load(const void* from) {
@@ -28,6 +31,24 @@ struct TileLoops {
     __builtin_memcpy(to, &vector, sizeof(vector));
   }
 
+  /// The bits that any lane has.
+  static unsigned Combined(Integers vector) {
+    unsigned long long parts[Lanes / 2];
+    Store(parts, vector);
+    unsigned long long bits = 0;
+    for (const unsigned long long part : parts) bits |= part;
+    return static_cast<unsigned>(bits | (bits >> 32));
+  }
+
+  /// The largest lane, at least 0.
+  static float Largest(Vector vector) {
+    float values[Lanes];
+    Store(values, vector);
+    float largest = 0.0F;
+    for (const float value : values) largest = value > largest ? value : largest;
+    return largest;
+  }
+
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
     Vector most[kGroup] = {};
     Integers at[kGroup];
@@ -35,16 +56,16 @@ struct TileLoops {
     int numbers[Lanes];
     for (int lane = 0; lane < Lanes; ++lane) numbers[lane] = lane;
     const Integers lanes = Load<Integers>(numbers);
-    for (int position = 0; position < arguments.count; position += Lanes * FullVectors) {
-      Vector sum[kGroup][FullVectors] = {};
+    for (int position = 0; position < arguments.count; position += Lanes * Vectors) {
+      Vector sum[kGroup][Vectors] = {};
       for (int m = 0; m < arguments.length; ++m) {
         const float* values = arguments.shapelets + kGroup * m;
-        for (int v = 0; v < FullVectors; ++v) {
+        for (int v = 0; v < Vectors; ++v) {
           const Vector samples = Load(arguments.series + position + m + v * Lanes);
           for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
         }
       }
-      for (int v = 0; v < FullVectors; ++v) {
+      for (int v = 0; v < Vectors; ++v) {
         const Vector scale = Load(arguments.scale + position + v * Lanes);
         for (int i = 0; i < kGroup; ++i) {
           Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
@@ -53,6 +74,11 @@ struct TileLoops {
           most[i] = greater ? value : most[i];
           at[i] = greater ? lanes + (position + v * Lanes) : at[i];
         }
+      }
+      for (int i = 0; i < kGroup; ++i) {
+        Vector largest = sum[i][0];
+        for (int v = 1; v < Vectors; ++v) largest = sum[i][v] > largest ? sum[i][v] : largest;
+        arguments.largest[position / kPositions * kGroup + i] = Largest(largest);
       }
     }
     for (int i = 0; i < kGroup; ++i) {
@@ -70,38 +96,52 @@ struct TileLoops {
     }
   }
 
-  /// The overlaps of a tile that can exceed what is known, by Cauchy and Schwarz; low > high where none can.
+  /// Overlaps low ... high; none where low > high.
   struct Range {
     int low;
     int high;
   };
-  static Range UsefulOverlaps(const PartialArguments& arguments, int tile) {
-    const float* bounds = arguments.bounds + tile * arguments.blocks;
-    const float first = arguments.best[0] * arguments.best[0];
-    const float second = arguments.best[1] * arguments.best[1];
-    const auto useful = [&](int block) {
-      const float* energy = arguments.energy + kGroup * block;
-      return (energy[0] * bounds[block] > first) | (energy[1] * bounds[block] > second);
-    };
-    int high = arguments.blocks - 1;
-    while (high >= 0 && !useful(high)) --high;
-    int low = 0;
-    while (low < high && !useful(low)) ++low;
+
+  static bool HasFullOverlaps(const PartialArguments& arguments, int tile) {
+    return tile >= 0 && tile < arguments.full_tiles;
+  }
+
+  /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at most the
+  /// root of the energies of both within the overlap; and it differs from the full overlap at the same position, measured
+  /// by the same window, at most by the root of the energies of both without.
+  static Range UsefulOverlaps(const PartialArguments& arguments, int shapelet, int tile) {
+    const Bounds& bounds = arguments.bounds[tile];
+    const Energies& energies = arguments.energies[shapelet];
+    const float best = arguments.best[shapelet];
+    const bool has_full = HasFullOverlaps(arguments, tile);
+    const float full = has_full ? arguments.largest[kGroup * tile + shapelet] : kUnknown;
+    Integers useful = {};
+    for (int block = 0; block < kBlocks; block += Lanes) {
+      const Vector rest = best - full * Load(bounds.scale + block);
+      const Integers near = (rest <= 0.0F) | (Load(energies.tail + block) * Load(bounds.tail + block) > rest * rest);
+      const Integers strong = Load(energies.head + block) * Load(bounds.head + block) > Vector{} + best * best;
+      useful |= near & strong & Load<Integers>(kBits + block);
+    }
+    const unsigned bits = Combined(useful);
+    if (bits == 0) return {1, 0};
+    const int low = __builtin_ctz(bits);
+    const int high = 31 - __builtin_clz(bits);
     const int last = (high + 1) * arguments.block;
     return {low * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
-  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time.
+  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time. They are kept with their sign turned:
+  /// what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
   template <int Shapelets>
   struct Sums {
-    Vector sum[Shapelets][Vectors];
+    Vector turned[Shapelets][Vectors];
 
     void Add(const PartialArguments& arguments, int shapelet, int position, int overlap) {
       const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
       for (int v = 0; v < Vectors; ++v) {
         const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) sum[i][v] += values[i] * sample;
+        for (int i = 0; i < Shapelets; ++i) turned[i][v] -= values[i] * sample;
       }
     }
     void Remove(const PartialArguments& arguments, int shapelet, int position, int overlap) {
@@ -109,7 +149,7 @@ struct TileLoops {
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
       for (int v = 0; v < Vectors; ++v) {
         const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) sum[i][v] -= values[i] * sample;
+        for (int i = 0; i < Shapelets; ++i) turned[i][v] += values[i] * sample;
       }
     }
   };
@@ -118,12 +158,11 @@ struct TileLoops {
   template <int Shapelets, typename Evaluate>
   static void Walk(const PartialArguments& arguments, int shapelet, int tile, Range range, Evaluate evaluate) {
     const int position = tile * kPositions;
-    const bool has_sums = tile >= 0 && tile < arguments.full_tiles;
-    Sums<Shapelets> sums{};
-    if (has_sums && arguments.length - range.high < range.low) {
+        Sums<Shapelets> sums{};
+    if (HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low) {
       for (int i = 0; i < Shapelets; ++i) {
         for (int v = 0; v < Vectors; ++v) {
-          sums.sum[i][v] = Load(arguments.sums + (shapelet + i) * arguments.stride + position + v * Lanes);
+          sums.turned[i][v] = -Load(arguments.sums + (shapelet + i) * arguments.stride + position + v * Lanes);
         }
       }
       for (int overlap = arguments.length; overlap > range.high + 1; --overlap) {
@@ -144,31 +183,39 @@ struct TileLoops {
 
   /// The sign of best M sigma - (A - mu S) tells whether the value exceeds the best: signs are collected by an OR, which
   /// leaves the units that multiply and add to the sums.
-  static bool AnyBetter(const PartialArguments& arguments, int tile, Range range) {
+  template <int Shapelets>
+  static bool AnyBetter(const PartialArguments& arguments, int shapelet, int tile, Range range) {
     Integers signs = {};
-    Vector best[kPair];
-    for (int i = 0; i < kPair; ++i) best[i] = Vector{} + arguments.best[i];
-    Walk<kPair>(arguments, 0, tile, range, [&](const Sums<kPair>& sums, int window, int overlap) {
-      const float* within = arguments.within + kGroup * overlap;
+    Vector best[Shapelets];
+    for (int i = 0; i < Shapelets; ++i) best[i] = Vector{} + arguments.best[shapelet + i];
+    Walk<Shapelets>(arguments, shapelet, tile, range, [&](const Sums<Shapelets>& sums, int window, int overlap) {
+      const float* within = arguments.within + kGroup * overlap + shapelet;
       for (int v = 0; v < Vectors; ++v) {
         const Vector mean = Load(arguments.mean + window + v * Lanes);
         const Vector spread = Load(arguments.spread + window + v * Lanes);
-        for (int i = 0; i < kPair; ++i) {
-          signs |= (Integers)(best[i] * spread - (sums.sum[i][v] - within[i] * mean));
+        for (int i = 0; i < Shapelets; ++i) {
+          signs |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
         }
       }
     });
-    unsigned long long bits[Lanes / 2];
-    Store(bits, signs);
-    unsigned long long any = 0;
-    for (const unsigned long long part : bits) any |= part;
-    return (any & 0x8000000080000000ULL) != 0;
+    return (Combined(signs) & 0x80000000U) != 0;
   }
 
   static int FindBetter(const PartialArguments& arguments, int tile, int end) {
     for (; tile < end; ++tile) {
-      const Range range = UsefulOverlaps(arguments, tile);
-      if (range.low <= range.high && AnyBetter(arguments, tile, range)) break;
+      const Range first = UsefulOverlaps(arguments, 0, tile);
+      const Range second = UsefulOverlaps(arguments, 1, tile);
+      const bool one = first.low <= first.high;
+      const bool other = second.low <= second.high;
+      if (one && other) {
+        const Range both{first.low < second.low ? first.low : second.low,
+                         first.high > second.high ? first.high : second.high};
+        if (AnyBetter<2>(arguments, 0, tile, both)) break;
+      } else if (one) {
+        if (AnyBetter<1>(arguments, 0, tile, first)) break;
+      } else if (other) {
+        if (AnyBetter<1>(arguments, 1, tile, second)) break;
+      }
     }
     return tile;
   }
@@ -176,13 +223,13 @@ struct TileLoops {
   static void MostInTile(const PartialArguments& arguments, int shapelet, int tile, TileResult* result) {
     Vector most[Vectors] = {};
     Integers at[Vectors] = {};
-    const Range range = UsefulOverlaps(arguments, tile);
+    const Range range = UsefulOverlaps(arguments, shapelet, tile);
     Walk<1>(arguments, shapelet, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
       for (int v = 0; v < Vectors; ++v) {
         const Vector mean = Load(arguments.mean + window + v * Lanes);
         const Vector scale = Load(arguments.scale + window + v * Lanes);
-        const Vector value = (sums.sum[0][v] - within * mean) * scale;
+        const Vector value = -(within * mean + sums.turned[0][v]) * scale;
         const Integers greater = value > most[v];
         most[v] = greater ? value : most[v];
         at[v] = greater ? Integers{} + overlap : at[v];
@@ -202,18 +249,15 @@ struct TileLoops {
   }
 
   static void WindowEnergies(const EnergyArguments& arguments, float* energies) {
-    const double* sums = arguments.sums + arguments.first;
-    const double* squares = arguments.squares + arguments.first;
-    constexpr int kHalf = Lanes / 2;
-    for (int window = 0; window < arguments.count; window += kHalf) {
-      const Doubles mean = Load<Doubles>(arguments.mean + window);
-      const Doubles sum = Load<Doubles>(sums + window + arguments.overlap) - Load<Doubles>(sums + window);
-      const Doubles square = Load<Doubles>(squares + window + arguments.overlap) - Load<Doubles>(squares + window);
-      const Doubles energy = (square - mean * (2.0 * sum - static_cast<double>(arguments.overlap) * mean)) *
-                             Load<Doubles>(arguments.scale + window);
-      double values[kHalf];
-      Store(values, energy);
-      for (int lane = 0; lane < kHalf; ++lane) energies[window + lane] = static_cast<float>(values[lane]);
+    const float* sums = arguments.sums + arguments.first;
+    const float* squares = arguments.squares + arguments.first;
+    const auto samples = static_cast<float>(arguments.samples);
+    for (int window = 0; window < arguments.count; window += Lanes) {
+      const Vector mean = Load(arguments.mean + window);
+      const Vector sum = Load(sums + window + arguments.samples) - Load(sums + window);
+      const Vector square = Load(squares + window + arguments.samples) - Load(squares + window);
+      const Vector energy = square - mean * (2.0F * sum - samples * mean) + arguments.rounding;
+      Store(energies + window, energy * Load(arguments.scale + window));
     }
   }
 
