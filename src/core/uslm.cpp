@@ -57,8 +57,6 @@ Eigen::MatrixXd StartingShapelets(const Eigen::Ref<const Eigen::MatrixXd>& serie
   constexpr int kMostWindows = 3000;
   const int per_series = static_cast<int>(series.cols()) - length + 1;
   const int all = per_series * static_cast<int>(series.rows());
-  if (all < count)
-    throw std::invalid_argument("USLM needs more or longer series: there are fewer windows than shapelets");
   Random random(seed);
   const std::vector<int> chosen = random.Sample(all, std::min(all, kMostWindows));
   Eigen::MatrixXf windows(chosen.size(), length);

@@ -32,7 +32,7 @@ class UslmLearner {
  public:
   /// Starts with K = ShapeletCount() shapelets, K-means centroids of the windows of `series` [N, Q], and with the
   /// classifier and pseudo-labels at their optimum for these. \throws std::invalid_argument where an option is out of
-  /// range, N <= `clusters`, or there are fewer windows than shapelets.
+  /// range, N <= `clusters`, or series of fewer than 2 values.
   UslmLearner(const Eigen::Ref<const Eigen::MatrixXd>& series, int clusters, const UslmOptions& options,
               std::uint64_t seed);
 
