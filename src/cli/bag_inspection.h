@@ -24,11 +24,11 @@ struct EpisodesFound {
 /// One topic of geometry_msgs/WrenchStamped.
 struct WrenchTopic {
   std::string name;
-  std::vector<std::string> frames;    ///< every frame_id that occurs
+  std::vector<std::string> frames;  ///< every frame_id that occurs
   int messages = 0;
-  double received_duration = 0.0;     ///< [s] first to last receipt
+  double received_duration = 0.0;  ///< [s] first to last receipt
   core::StreamSummary stream;
-  std::vector<EpisodesFound> found;   ///< by each way of cutting
+  std::vector<EpisodesFound> found;  ///< by each way of cutting
 };
 
 /// Any other topic.
@@ -61,6 +61,7 @@ struct BagInspection {
 
 /// Reads a bag wholly. `options.wrench_topic` leaves out the other wrench topics; empty: all.
 /// \throws std::runtime_error in one line that names the bag where it cannot be read.
-BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress);
+BagInspection InspectBag(const std::string& path, const BagReaderOptions& options,
+                         const ReadProgress& progress);
 
 }  // namespace contact_shapelets::cli

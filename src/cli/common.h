@@ -38,7 +38,8 @@ Options ReadOptions(const BagArguments& arguments);
 std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options);
 
 /// Checks that a file can be written at `path`, before long work that ends in it.
-/// \throws std::runtime_error naming `option` and the path: its folder is missing or not writable, or it is one of `bags`.
+/// \throws std::runtime_error naming `option` and the path: its folder is missing or not writable, or it is
+/// one of `bags`.
 void CheckOutput(const std::string& option, const std::string& path, const std::vector<std::string>& bags);
 
 /// One line on stderr that is overwritten: what is going on, how far it is, the time to go.
@@ -71,7 +72,8 @@ struct OutcomeScores {
 std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
                                                   const std::vector<int>& labels);
 
-/// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing where none has.
+/// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing
+/// where none has.
 void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels);
 
 }  // namespace contact_shapelets::cli

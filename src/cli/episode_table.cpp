@@ -54,10 +54,9 @@ void WriteCsv(const std::string& path, const std::vector<core::Episode>& episode
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const core::Episode& episode = episodes[index];
     const core::Diagnosis& diagnosis = results[index].diagnosis;
-    file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ','
-         << episode.duration() << ',' << episode.force.size() << ',' << Quoted(episode.outcome) << ','
-         << diagnosis.cluster << ',' << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ','
-         << diagnosis.novelty;
+    file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
+         << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
+         << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
     for (const float distance : results[index].features.distances) file << ',' << distance;
     file << '\n';
   }

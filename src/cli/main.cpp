@@ -18,15 +18,28 @@ constexpr int kWrongUsage = 2;
 /// The message in one line: lists of faults have one in each.
 std::string OneLine(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at))
+    text.replace(at, 1, "; ");
   return text;
+}
+
+/// What is wrong with the first argument, where it is no command; CLI11 only says that one is required.
+std::string UnknownCommand(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return "";
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == argv[1]) return "";
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return std::string("expected one of the commands ") + names + ", but found " + argv[1];
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   ros::Time::init();
-  CLI::App app("Learns force patterns from recorded episodes, and names the outcome of new ones.", "shapelets");
+  CLI::App app("Learns force patterns from recorded episodes, and names the outcome of new ones.",
+               "shapelets");
   app.require_subcommand(1);
   contact_shapelets::cli::AddTrainCommand(&app);
   contact_shapelets::cli::AddClassifyCommand(&app);
@@ -40,7 +53,9 @@ int main(int argc, char** argv) {
   } catch (const CLI::RuntimeError& error) {
     return error.get_exit_code();
   } catch (const CLI::ParseError& error) {
-    std::cerr << "shapelets: " << OneLine(error.what()) << " (shapelets --help says more)\n";
+    const std::string unknown = UnknownCommand(app, argc, argv);
+    std::cerr << "shapelets: " << OneLine(unknown.empty() ? error.what() : unknown)
+              << " (shapelets --help says more)\n";
     return kWrongUsage;
   } catch (const std::exception& error) {
     std::cerr << "shapelets: " << OneLine(error.what()) << '\n';

@@ -17,10 +17,14 @@ constexpr std::size_t kNovelPlots = 6;
 
 constexpr char kStyle[] =
     "body{font:15px/1.5 sans-serif;max-width:860px;margin:2em auto;padding:0 1em;color:#222}"
-    "table{border-collapse:collapse;margin:.6em 0}td,th{padding:.2em .8em;text-align:left;border-bottom:1px solid #ddd}"
-    "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.right{background:#e3f2e6}td.wrong{background:#fbe3da}"
-    "svg{max-width:100%;height:auto;font:11px sans-serif;display:block}svg text{fill:#333}"
-    ".grid{stroke:#e4e4e4}.axis{stroke:#555}.mark{display:inline-block;width:.8em;height:.8em;margin-right:.4em}"
+    "table{border-collapse:collapse;margin:.6em 0}td,th{padding:.2em .8em;text-align:left;border-bottom:1px "
+    "solid #ddd}"
+    "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}td.right{background:#e3f2e6}td.wrong{"
+    "background:#fbe3da}"
+    "figure{margin:1em 0}figcaption span{margin-right:1.4em}figcaption "
+    "i,.mark{display:inline-block;width:.8em;height:.8em;"
+    "margin-right:.4em}svg{max-width:100%;height:auto;font:11px sans-serif;display:block}svg text{fill:#333}"
+    ".grid{stroke:#e4e4e4}.axis{stroke:#555}"
     "h2{margin-top:1.8em;border-bottom:1px solid #bbb}summary{cursor:pointer}";
 
 /// One row of a table. Cells that begin with a digit or a sign are figures.
@@ -50,17 +54,17 @@ std::vector<std::size_t> NovelEpisodes(const ReportContents& contents) {
 
 std::string Summary(const ReportContents& contents) {
   const std::size_t novel = NovelEpisodes(contents).size();
-  std::string text = Escaped(Count(contents.episodes.size(), "episode") + " of " +
-                             Number(MedianDuration(contents.episodes), 2) + " s (median) from " +
-                             Count(contents.bags.size(), "bag") + ", sorted into " +
-                             Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) +
-                             " fit none of them.");
+  std::string text = Escaped(
+      Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
+      " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
+      Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
   const auto agreement = ScoreAgainstOutcomes(contents.episodes, NearestClusters(contents.results));
   if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
   const core::PartitionScores& scores = agreement->scores;
-  return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") + ": Rand index <b>" +
-                   Number(scores.rand_index, 4) + "</b>, ARI " + Number(scores.adjusted_rand_index, 4) + ", NMI " +
-                   Number(scores.normalised_mutual_information, 4) + ", accuracy " + Number(scores.accuracy, 4) + ".");
+  return Paragraph(
+      text + " Against the outcomes given for " + Count(agreement->episodes, "episode") + ": Rand index <b>" +
+      Number(scores.rand_index, 4) + "</b>, ARI " + Number(scores.adjusted_rand_index, 4) + ", NMI " +
+      Number(scores.normalised_mutual_information, 4) + ", accuracy " + Number(scores.accuracy, 4) + ".");
 }
 
 std::string ProvenanceTable(const ReportContents& contents) {
@@ -70,11 +74,12 @@ std::string ProvenanceTable(const ReportContents& contents) {
   for (const double scale : provenance.selected_scales) scales.push_back(Number(scale, 2));
   std::string table = "<table>\n";
   table += Row({"Model", model.id + " in " + contents.model_file});
-  table += Row({"Trained on", Count(static_cast<std::size_t>(provenance.training_episodes), "episode") + " of " +
-                                  Number(provenance.typical_duration, 2) + " s (median) from " +
+  table += Row({"Trained on", Count(static_cast<std::size_t>(provenance.training_episodes), "episode") +
+                                  " of " + Number(provenance.typical_duration, 2) + " s (median) from " +
                                   Joined(provenance.sources, ", ")});
-  table += Row({"Shapelets", std::to_string(model.shapelets.size()) + ", learned by the " + provenance.objective +
-                                 " objective with seed " + std::to_string(provenance.seed)});
+  table +=
+      Row({"Shapelets", std::to_string(model.shapelets.size()) + ", learned by the " + provenance.objective +
+                            " objective with seed " + std::to_string(provenance.seed)});
   table += Row({"Scales", Joined(scales, ", ") + " of the typical duration"});
   table += Row({"Sample period", Number(model.sample_period, 4) + " s"});
   table += Row({"Bags of this report", Joined(contents.bags, ", ")});
@@ -106,8 +111,9 @@ std::string ConfusionTable(const ReportContents& contents) {
 }
 
 std::string ClusterTable(const ReportContents& contents) {
-  std::string table = "<table>\n" + Row({"", "event", "in training", "here", "of them novel", "median duration [s]",
-                                         "median peak [N]", "median confidence"}, "th");
+  std::string table = "<table>\n" + Row({"", "event", "in training", "here", "of them novel",
+                                         "median duration [s]", "median peak [N]", "median confidence"},
+                                        "th");
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     const std::vector<std::size_t> members = MembersOf(contents, cluster);
     std::vector<double> durations;
@@ -120,10 +126,11 @@ std::string ClusterTable(const ReportContents& contents) {
       confidences.push_back(contents.results[member].diagnosis.confidence);
       novel += contents.results[member].diagnosis.cluster < 0 ? 1 : 0;
     }
-    std::string row = Row({contents.model.EventOf(cluster),
-                           std::to_string(contents.model.clusters[static_cast<std::size_t>(cluster)].size),
-                           std::to_string(members.size()), std::to_string(novel), Number(Median(durations), 2),
-                           Number(Median(peaks), 1), Number(Median(confidences), 2)});
+    std::string row =
+        Row({contents.model.EventOf(cluster),
+             std::to_string(contents.model.clusters[static_cast<std::size_t>(cluster)].size),
+             std::to_string(members.size()), std::to_string(novel), Number(Median(durations), 2),
+             Number(Median(peaks), 1), Number(Median(confidences), 2)});
     row.insert(4, "<td><span class=\"mark\" style=\"background:" + ClusterColour(cluster) + "\"></span>" +
                       std::to_string(cluster) + "</td>");
     table += row;
@@ -131,21 +138,22 @@ std::string ClusterTable(const ReportContents& contents) {
   return table + "</table>\n";
 }
 
-std::string ShapeletTable(const ReportContents& contents, const std::vector<TellingShapelet>& shapelets) {
+std::string ShapeletTable(const ReportContents& contents, const std::vector<Eigen::Index>& shapelets) {
   std::vector<std::string> head{"shapelet", "length [s]"};
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     head.push_back("mean distance in " + contents.model.EventOf(cluster));
   }
   std::string table = "<table>\n" + Row(head, "th");
-  for (const TellingShapelet& telling : shapelets) {
-    const core::Shapelet& shapelet = contents.model.shapelets[static_cast<std::size_t>(telling.index)];
+  for (const Eigen::Index index : shapelets) {
+    const core::Shapelet& shapelet = contents.model.shapelets[static_cast<std::size_t>(index)];
     std::vector<std::string> cells{
-        std::to_string(telling.index),
-        Number(static_cast<double>(shapelet.values.size()) * shapelet.dilation * contents.model.sample_period, 2)};
+        std::to_string(index),
+        Number(static_cast<double>(shapelet.values.size()) * shapelet.dilation * contents.model.sample_period,
+               2)};
     for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
       double sum = 0.0;
       const std::vector<std::size_t> members = MembersOf(contents, cluster);
-      for (const std::size_t member : members) sum += contents.results[member].features.distances[telling.index];
+      for (const std::size_t member : members) sum += contents.results[member].features.distances[index];
       cells.push_back(members.empty() ? "none" : Number(sum / static_cast<double>(members.size()), 3));
     }
     table += Row(cells);
@@ -155,24 +163,31 @@ std::string ShapeletTable(const ReportContents& contents, const std::vector<Tell
 
 std::string ClusterSection(const ReportContents& contents, int cluster) {
   const std::vector<std::size_t> members = MembersOf(contents, cluster);
-  std::string section = Heading("Cluster " + std::to_string(cluster) + ": " + contents.model.EventOf(cluster));
+  std::string section =
+      Heading("Cluster " + std::to_string(cluster) + ": " + contents.model.EventOf(cluster));
   if (members.empty()) return section + Paragraph("No episode of these bags is nearest to this cluster.");
-  section += TypicalPlot(contents, cluster, members);
   const std::size_t example = TypicalMember(contents, cluster, members);
-  const std::vector<TellingShapelet> shapelets = FindTellingShapelets(contents, cluster, example, kTellingShapelets);
-  if (shapelets.empty()) return section + Paragraph("No shapelet tells these episodes from others in these bags.");
-  section += Paragraph("The shapelets that tell this cluster from the others best, over its most typical episode, where they "
-                       "matched: each is scaled to the force there, as the matching does.");
+  section += TypicalPlot(contents, cluster);
+  const std::vector<Eigen::Index> shapelets =
+      FindTellingShapelets(contents, cluster, example, kTellingShapelets);
+  if (shapelets.empty())
+    return section + Paragraph("No shapelet tells these episodes from others in these bags.");
+  section += Paragraph(
+      "The shapelets that tell this cluster from the others best, over its most typical episode, where they "
+      "matched: each is scaled to the force there, as the matching does. Their distances are in brackets.");
   section += MatchPlot(contents, example, shapelets);
   section += ShapeletTable(contents, shapelets);
-  return section + Paragraph("A distance of 0 is a perfect match, 1 is none. The nearer to 0 in this cluster and the farther in "
-                             "the others, the more the shapelet says.");
+  return section + Paragraph(
+                       "A distance of 0 is a perfect match, 1 is none. The nearer to 0 in this cluster and "
+                       "the farther in "
+                       "the others, the more the shapelet says.");
 }
 
 std::string NovelSection(const ReportContents& contents) {
   std::string section = Heading("Novelty");
-  section += Paragraph("Distance of each episode from its nearest cluster, over that cluster's limit. Above 1 an episode fits "
-                       "no cluster: its event is &ldquo;unknown&rdquo;. A slow rise hints at wear or drift.");
+  section += Paragraph(
+      "Distance of each episode from its nearest cluster, over that cluster's limit. Above 1 an episode fits "
+      "no cluster: its event is &ldquo;unknown&rdquo;. A slow rise hints at wear or drift.");
   section += NoveltyPlot(contents);
   const std::vector<std::size_t> novel = NovelEpisodes(contents);
   if (novel.empty()) return section + Paragraph("No episode is novel.");
@@ -190,13 +205,15 @@ std::string NovelSection(const ReportContents& contents) {
 }
 
 std::string EpisodeTable(const ReportContents& contents) {
-  std::string table = "<details><summary>All " + Count(contents.episodes.size(), "episode") + "</summary>\n<table>\n";
-  table += Row({"episode", "start (UTC)", "duration [s]", "outcome given", "event", "confidence", "novelty"}, "th");
+  std::string table =
+      "<details><summary>All " + Count(contents.episodes.size(), "episode") + "</summary>\n<table>\n";
+  table += Row({"episode", "start (UTC)", "duration [s]", "outcome given", "event", "confidence", "novelty"},
+               "th");
   for (std::size_t index = 0; index < contents.episodes.size(); ++index) {
     const core::Episode& episode = contents.episodes[index];
     const core::Diagnosis& diagnosis = contents.results[index].diagnosis;
-    table += Row({episode.id, DateText(episode.start), Number(episode.duration(), 2), episode.outcome, diagnosis.event,
-                  Number(diagnosis.confidence, 2), Number(diagnosis.novelty, 2)});
+    table += Row({episode.id, DateText(episode.start), Number(episode.duration(), 2), episode.outcome,
+                  diagnosis.event, Number(diagnosis.confidence, 2), Number(diagnosis.novelty, 2)});
   }
   return table + "</table>\n</details>\n";
 }
@@ -204,10 +221,15 @@ std::string EpisodeTable(const ReportContents& contents) {
 }  // namespace
 
 std::string ReportPage(const ReportContents& contents) {
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Contact report: model " +
-                     Escaped(contents.model.id) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
+  std::string page =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Contact report: model " +
+      Escaped(contents.model.id) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   page += "<h1>Contact report</h1>\n" + Summary(contents);
   page += OverviewPlot(contents) + ClusterTable(contents);
+  page += Paragraph(
+      "Curves are medians over a cluster's episodes, shifted in time so that each lies best over the most "
+      "typical "
+      "one: contacts begin at different times.");
   page += Heading("Outcomes given and events diagnosed") + ConfusionTable(contents);
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     page += ClusterSection(contents, cluster);

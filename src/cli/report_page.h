@@ -7,7 +7,8 @@
 #include "contact_shapelets/core/episode.h"
 
 /// \file
-/// The report on a model and on the episodes that it was applied to, as one HTML page that needs no other file.
+/// The report on a model and on the episodes that it was applied to, as one HTML page that needs no other
+/// file.
 
 namespace contact_shapelets::cli {
 
@@ -21,8 +22,8 @@ struct ReportContents {
   std::vector<Eigen::VectorXf> series;        ///< their forces [N] at the model's sample period
 };
 
-/// The page: what was found, the model's provenance, agreement with the outcomes, the clusters with typical force curves
-/// and their most telling shapelets, novel episodes, and all episodes as a table.
+/// The page: what was found, the model's provenance, agreement with the outcomes, the clusters with typical
+/// force curves and their most telling shapelets, novel episodes, and all episodes as a table.
 std::string ReportPage(const ReportContents& contents);
 
 }  // namespace contact_shapelets::cli

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kWidth = 760;
 constexpr int kHeight = 260;
+constexpr std::size_t kAlignedMembers = 100;
 constexpr char kForceColour[] = "#555555";
 constexpr std::array<const char*, 3> kShapeletColours{"#d55e00", "#0072b2", "#009e73"};
 
@@ -30,18 +31,64 @@ double Quantile(std::vector<double> values, double quantile) {
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-/// The quantile of the members' forces at each time, as long as half of the members last.
-std::vector<PlotPoint> QuantileCurve(const ReportContents& contents, const std::vector<std::size_t>& members,
+/// The shift in samples that lays `series` best over `reference`: the greatest covariance of the parts that
+/// overlap.
+Eigen::Index BestShift(const Eigen::VectorXf& series, const Eigen::VectorXf& reference) {
+  const Eigen::VectorXf centred = series.array() - series.mean();
+  const Eigen::VectorXf target = reference.array() - reference.mean();
+  Eigen::Index best_shift = 0;
+  float best = -1.0F;
+  const Eigen::Index most = reference.size() / 2;
+  for (Eigen::Index shift = -most; shift <= most; ++shift) {
+    const Eigen::Index begin = std::max<Eigen::Index>(0, shift);
+    const Eigen::Index length = std::min(target.size(), centred.size() + shift) - begin;
+    if (length <= 0) continue;
+    const float covariance = target.segment(begin, length).dot(centred.segment(begin - shift, length));
+    if (covariance > best) {
+      best = covariance;
+      best_shift = shift;
+    }
+  }
+  return best_shift;
+}
+
+/// The members of a cluster, shifted to lie over the most typical one. Enough of them for a median, in large
+/// clusters.
+struct AlignedMembers {
+  std::vector<std::size_t> episodes;
+  std::vector<Eigen::Index> shifts;
+  Eigen::Index length = 0;  ///< of the most typical one
+};
+
+AlignedMembers Align(const ReportContents& contents, int cluster) {
+  const std::vector<std::size_t> members = MembersOf(contents, cluster);
+  AlignedMembers aligned;
+  if (members.empty()) return aligned;
+  const Eigen::VectorXf& reference = contents.series[TypicalMember(contents, cluster, members)];
+  aligned.length = reference.size();
+  const std::size_t step = 1 + (members.size() - 1) / kAlignedMembers;
+  for (std::size_t index = 0; index < members.size(); index += step) {
+    aligned.episodes.push_back(members[index]);
+    aligned.shifts.push_back(BestShift(contents.series[members[index]], reference));
+  }
+  return aligned;
+}
+
+/// The quantile of the members' forces at each time where at least half of them have one.
+std::vector<PlotPoint> QuantileCurve(const ReportContents& contents, const AlignedMembers& members,
                                      double quantile) {
   std::vector<PlotPoint> curve;
-  for (Eigen::Index sample = 0;; ++sample) {
+  for (Eigen::Index sample = 0; sample < members.length; ++sample) {
     std::vector<double> values;
-    for (const std::size_t member : members) {
-      if (sample < contents.series[member].size()) values.push_back(contents.series[member][sample]);
+    for (std::size_t index = 0; index < members.episodes.size(); ++index) {
+      const Eigen::VectorXf& series = contents.series[members.episodes[index]];
+      const Eigen::Index place = sample - members.shifts[index];
+      if (place >= 0 && place < series.size()) values.push_back(series[place]);
     }
-    if (values.empty() || 2 * values.size() < members.size()) return curve;
+    if (2 * values.size() < members.episodes.size()) continue;
     curve.push_back({static_cast<double>(sample) * contents.model.sample_period, Quantile(values, quantile)});
   }
+  return curve;
 }
 
 std::vector<PlotPoint> ForceCurve(const ReportContents& contents, std::size_t episode) {
@@ -90,21 +137,37 @@ std::vector<PlotPoint> MatchCurve(const ReportContents& contents, std::size_t ep
   return curve;
 }
 
-/// Mean and standard deviation of the distances of some episodes to a shapelet.
-std::pair<double, double> DistanceSpread(const ReportContents& contents, Eigen::Index shapelet, int cluster, bool inside) {
-  double sum = 0.0;
-  double squares = 0.0;
-  double count = 0.0;
-  for (const core::Classification& result : contents.results) {
-    if ((result.diagnosis.nearest_cluster == cluster) != inside) continue;
-    const double distance = result.features.distances[shapelet];
-    sum += distance;
-    squares += distance * distance;
-    ++count;
+/// Mean and standard deviation of the distances [members, K] of a cluster's episodes to each shapelet.
+struct DistanceSpread {
+  Eigen::ArrayXf mean;
+  Eigen::ArrayXf deviation;
+};
+
+DistanceSpread SpreadOf(const ReportContents& contents, const std::vector<std::size_t>& members) {
+  const auto shapelets = static_cast<Eigen::Index>(contents.model.shapelets.size());
+  Eigen::ArrayXXf distances(shapelets, members.size());
+  for (std::size_t index = 0; index < members.size(); ++index) {
+    distances.col(static_cast<Eigen::Index>(index)) = contents.results[members[index]].features.distances;
   }
-  if (count == 0.0) return {0.0, 0.0};
-  const double mean = sum / count;
-  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
+  DistanceSpread spread;
+  spread.mean = distances.rowwise().mean();
+  spread.deviation = (distances.colwise() - spread.mean).square().rowwise().mean().sqrt();
+  return spread;
+}
+
+/// How far each shapelet separates a cluster from the one that it separates it from least; empty without
+/// another cluster.
+Eigen::ArrayXf Separations(const ReportContents& contents, int cluster) {
+  const DistanceSpread own = SpreadOf(contents, MembersOf(contents, cluster));
+  Eigen::ArrayXf least;
+  for (int other = 0; other < static_cast<int>(contents.model.clusters.size()); ++other) {
+    const std::vector<std::size_t> members = MembersOf(contents, other);
+    if (other == cluster || members.empty()) continue;
+    const DistanceSpread spread = SpreadOf(contents, members);
+    const Eigen::ArrayXf separation = (spread.mean - own.mean) / (spread.deviation + own.deviation + 1e-3F);
+    least = least.size() == 0 ? separation : least.min(separation).eval();
+  }
+  return least;
 }
 
 /// Whether one of two matches lies within the other by more than half of the shorter.
@@ -131,32 +194,28 @@ std::vector<std::size_t> MembersOf(const ReportContents& contents, int cluster) 
   return members;
 }
 
-std::vector<TellingShapelet> FindTellingShapelets(const ReportContents& contents, int cluster, std::size_t example,
-                                                  std::size_t count) {
-  const std::size_t members = MembersOf(contents, cluster).size();
-  if (members == 0 || members == contents.results.size()) return {};
-  std::vector<TellingShapelet> candidates;
+std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster,
+                                               std::size_t example, std::size_t count) {
+  const Eigen::ArrayXf separations = Separations(contents, cluster);
   const core::ShapeletDistances& features = contents.results[example].features;
-  for (Eigen::Index index = 0; index < features.distances.size(); ++index) {
-    const auto [inside, inside_spread] = DistanceSpread(contents, index, cluster, true);
-    const auto [outside, outside_spread] = DistanceSpread(contents, index, cluster, false);
-    if (features.match_start[index] < 0 || outside <= inside) continue;
-    candidates.push_back({index, inside, outside, (outside - inside) / (inside_spread + outside_spread + 1e-3)});
+  std::vector<Eigen::Index> candidates;
+  for (Eigen::Index index = 0; index < separations.size(); ++index) {
+    if (separations[index] > 0.0F && features.match_start[index] >= 0) candidates.push_back(index);
   }
-  std::sort(candidates.begin(), candidates.end(), [](const TellingShapelet& first, const TellingShapelet& second) {
-    return first.separation > second.separation;
+  std::sort(candidates.begin(), candidates.end(), [&separations](Eigen::Index first, Eigen::Index second) {
+    return separations[first] > separations[second];
   });
-  std::vector<TellingShapelet> chosen;
-  for (const TellingShapelet& candidate : candidates) {
-    const bool hidden = std::any_of(chosen.begin(), chosen.end(), [&](const TellingShapelet& better) {
-      return Overlap(features, better.index, candidate.index);
-    });
-    if (!hidden && chosen.size() < count) chosen.push_back(candidate);
+  std::vector<Eigen::Index> chosen;
+  for (const Eigen::Index candidate : candidates) {
+    const auto hides = [&](Eigen::Index better) { return Overlap(features, better, candidate); };
+    if (chosen.size() < count && std::none_of(chosen.begin(), chosen.end(), hides))
+      chosen.push_back(candidate);
   }
   return chosen;
 }
 
-std::size_t TypicalMember(const ReportContents& contents, int cluster, const std::vector<std::size_t>& members) {
+std::size_t TypicalMember(const ReportContents& contents, int cluster,
+                          const std::vector<std::size_t>& members) {
   const auto distance = [&](std::size_t member) {
     const Eigen::VectorXf features =
         contents.model.Features(contents.results[member].features.distances.transpose()).transpose();
@@ -170,7 +229,7 @@ std::size_t TypicalMember(const ReportContents& contents, int cluster, const std
 std::string OverviewPlot(const ReportContents& contents) {
   std::vector<std::vector<PlotPoint>> curves;
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
-    curves.push_back(QuantileCurve(contents, MembersOf(contents, cluster), 0.5));
+    curves.push_back(QuantileCurve(contents, Align(contents, cluster), 0.5));
   }
   SvgPlot plot = ForceAxes(curves);
   for (int cluster = 0; cluster < static_cast<int>(curves.size()); ++cluster) {
@@ -180,25 +239,27 @@ std::string OverviewPlot(const ReportContents& contents) {
   return plot.Text();
 }
 
-std::string TypicalPlot(const ReportContents& contents, int cluster, const std::vector<std::size_t>& members) {
+std::string TypicalPlot(const ReportContents& contents, int cluster) {
+  const AlignedMembers members = Align(contents, cluster);
   const std::vector<PlotPoint> lower = QuantileCurve(contents, members, 0.1);
   const std::vector<PlotPoint> upper = QuantileCurve(contents, members, 0.9);
   SvgPlot plot = ForceAxes({upper, lower});
   plot.AddBand(upper, lower, ClusterColour(cluster));
   plot.AddLine(QuantileCurve(contents, members, 0.5), ClusterColour(cluster), 2.0,
-               "median of " + Count(members.size(), "episode") + ", band from 10 % to 90 %");
+               "median of " + Count(members.episodes.size(), "episode") + ", band from 10 % to 90 %");
   return plot.Text();
 }
 
-std::string MatchPlot(const ReportContents& contents, std::size_t episode, const std::vector<TellingShapelet>& shapelets) {
+std::string MatchPlot(const ReportContents& contents, std::size_t episode,
+                      const std::vector<Eigen::Index>& shapelets) {
   std::vector<std::vector<PlotPoint>> curves{ForceCurve(contents, episode)};
-  for (const TellingShapelet& shapelet : shapelets) curves.push_back(MatchCurve(contents, episode, shapelet.index));
+  for (const Eigen::Index shapelet : shapelets) curves.push_back(MatchCurve(contents, episode, shapelet));
   SvgPlot plot = ForceAxes(curves);
   plot.AddLine(curves.front(), kForceColour, 1.2, "episode " + contents.episodes[episode].id);
   for (std::size_t index = 0; index < shapelets.size(); ++index) {
-    const std::string label = "shapelet " + std::to_string(shapelets[index].index) + ", distance " +
-                              Number(contents.results[episode].features.distances[shapelets[index].index], 3);
-    plot.AddLine(curves[index + 1], kShapeletColours[index % kShapeletColours.size()], 3.0, label);
+    const float distance = contents.results[episode].features.distances[shapelets[index]];
+    plot.AddLine(curves[index + 1], kShapeletColours[index % kShapeletColours.size()], 3.0,
+                 "shapelet " + std::to_string(shapelets[index]) + " (" + Number(distance, 3) + ")");
   }
   return plot.Text();
 }
@@ -209,12 +270,14 @@ std::string NoveltyPlot(const ReportContents& contents) {
     greatest = std::max(greatest, static_cast<double>(result.diagnosis.novelty));
   }
   const auto last = static_cast<double>(contents.results.size());
-  SvgPlot plot({"episode, in the order of the bags", 0.0, last + 1.0}, {"novelty", 0.0, 1.1 * greatest}, kWidth, kHeight);
+  SvgPlot plot({"episode, in the order of the bags", 0.0, last + 1.0}, {"novelty", 0.0, 1.1 * greatest},
+               kWidth, kHeight);
   plot.AddLine({{0.0, 1.0}, {last + 1.0, 1.0}}, "#999999", 1.0, "limit");
   for (std::size_t index = 0; index < contents.results.size(); ++index) {
     const core::Diagnosis& diagnosis = DiagnosisOf(contents, index);
-    plot.AddDot({static_cast<double>(index) + 1.0, diagnosis.novelty}, ClusterColour(diagnosis.nearest_cluster),
-                contents.episodes[index].id + ": " + diagnosis.event + ", novelty " + Number(diagnosis.novelty, 2));
+    plot.AddDot(
+        {static_cast<double>(index) + 1.0, diagnosis.novelty}, ClusterColour(diagnosis.nearest_cluster),
+        contents.episodes[index].id + ": " + diagnosis.event + ", novelty " + Number(diagnosis.novelty, 2));
   }
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     plot.AddLegend(ClusterColour(cluster), "nearest to " + contents.model.EventOf(cluster));
@@ -224,16 +287,20 @@ std::string NoveltyPlot(const ReportContents& contents) {
 
 std::string NovelPlot(const ReportContents& contents, std::size_t episode) {
   const int cluster = DiagnosisOf(contents, episode).nearest_cluster;
-  std::vector<std::size_t> known;
-  for (const std::size_t member : MembersOf(contents, cluster)) {
-    if (DiagnosisOf(contents, member).cluster == cluster) known.push_back(member);
-  }
-  const std::vector<PlotPoint> median = QuantileCurve(contents, known, 0.5);
+  std::vector<std::size_t> known = MembersOf(contents, cluster);
+  const auto is_novel = [&contents](std::size_t member) { return DiagnosisOf(contents, member).cluster < 0; };
+  known.erase(std::remove_if(known.begin(), known.end(), is_novel), known.end());
   const std::vector<PlotPoint> force = ForceCurve(contents, episode);
-  SvgPlot plot = ForceAxes({median, force});
-  if (!median.empty()) {
-    plot.AddLine(median, ClusterColour(cluster), 2.0, "median of " + contents.model.EventOf(cluster));
+  std::vector<PlotPoint> typical;
+  std::string typical_label;
+  if (!known.empty()) {
+    const std::size_t member = TypicalMember(contents, cluster, known);
+    typical = ForceCurve(contents, member);
+    typical_label =
+        "most typical of " + contents.model.EventOf(cluster) + ": " + contents.episodes[member].id;
   }
+  SvgPlot plot = ForceAxes({force, typical});
+  if (!typical.empty()) plot.AddLine(typical, ClusterColour(cluster), 1.4, typical_label);
   plot.AddLine(force, kForceColour, 1.4, "episode " + contents.episodes[episode].id);
   return plot.Text();
 }

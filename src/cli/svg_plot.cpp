@@ -10,9 +10,8 @@ namespace {
 
 constexpr int kLeft = 58;
 constexpr int kRight = 12;
-constexpr int kTop = 24;
+constexpr int kTop = 8;
 constexpr int kBottom = 42;
-constexpr double kLetterWidth = 6.4;
 
 /// Distance between ticks: 1, 2 or 5 times a power of ten, so that there are about `count` of them.
 double TickStep(double extent, int count) {
@@ -26,7 +25,8 @@ double TickStep(double extent, int count) {
 
 std::vector<double> Ticks(const PlotAxis& axis, double step) {
   std::vector<double> ticks;
-  for (double index = std::ceil(axis.least / step - 1e-9); index * step <= axis.greatest + 1e-9 * step; ++index) {
+  for (double index = std::ceil(axis.least / step - 1e-9); index * step <= axis.greatest + 1e-9 * step;
+       ++index) {
     ticks.push_back(index * step);
   }
   return ticks;
@@ -34,19 +34,21 @@ std::vector<double> Ticks(const PlotAxis& axis, double step) {
 
 std::string TickText(double value, double step) {
   const double decimals = -std::floor(std::log10(step) + 1e-9);
-  return Number(std::abs(value) < 1e-9 * step ? 0.0 : value, static_cast<int>(std::clamp(decimals, 0.0, 6.0)));
+  return Number(std::abs(value) < 1e-9 * step ? 0.0 : value,
+                static_cast<int>(std::clamp(decimals, 0.0, 6.0)));
 }
 
 std::string Pixel(double value) { return Number(value, 1); }
 
 std::string LineElement(PlotPoint from, PlotPoint to, const std::string& css) {
-  return "<line class=\"" + css + "\" x1=\"" + Pixel(from.x) + "\" y1=\"" + Pixel(from.y) + "\" x2=\"" + Pixel(to.x) +
-         "\" y2=\"" + Pixel(to.y) + "\"/>\n";
+  return "<line class=\"" + css + "\" x1=\"" + Pixel(from.x) + "\" y1=\"" + Pixel(from.y) + "\" x2=\"" +
+         Pixel(to.x) + "\" y2=\"" + Pixel(to.y) + "\"/>\n";
 }
 
-std::string TextElement(PlotPoint at, const std::string& anchor, const std::string& text, const std::string& more = "") {
-  return "<text x=\"" + Pixel(at.x) + "\" y=\"" + Pixel(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-         Escaped(text) + "</text>\n";
+std::string TextElement(PlotPoint at, const std::string& anchor, const std::string& text,
+                        const std::string& more = "") {
+  return "<text x=\"" + Pixel(at.x) + "\" y=\"" + Pixel(at.y) + "\" text-anchor=\"" + anchor + "\"" + more +
+         ">" + Escaped(text) + "</text>\n";
 }
 
 PlotAxis Widened(PlotAxis axis) {
@@ -60,11 +62,20 @@ std::string Escaped(const std::string& text) {
   std::string escaped;
   for (const char letter : text) {
     switch (letter) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      default: escaped += letter;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += letter;
     }
   }
   return escaped;
@@ -99,17 +110,20 @@ void SvgPlot::AddBand(const std::vector<PlotPoint>& upper, const std::vector<Plo
                       const std::string& colour, const std::string& label) {
   std::vector<PlotPoint> outline = upper;
   outline.insert(outline.end(), lower.rbegin(), lower.rend());
-  drawings_ += "<polygon fill=\"" + colour + "\" fill-opacity=\"0.22\" points=\"" + PathOf(outline) + "\"/>\n";
+  drawings_ +=
+      "<polygon fill=\"" + colour + "\" fill-opacity=\"0.22\" points=\"" + PathOf(outline) + "\"/>\n";
   if (!label.empty()) AddLegend(colour, label);
 }
 
 void SvgPlot::AddDot(const PlotPoint& point, const std::string& colour, const std::string& title) {
   const PlotPoint pixel = ToPixels(point);
-  drawings_ += "<circle cx=\"" + Pixel(pixel.x) + "\" cy=\"" + Pixel(pixel.y) + "\" r=\"3.5\" fill=\"" + colour +
-               "\"><title>" + Escaped(title) + "</title></circle>\n";
+  drawings_ += "<circle cx=\"" + Pixel(pixel.x) + "\" cy=\"" + Pixel(pixel.y) + "\" r=\"3.5\" fill=\"" +
+               colour + "\"><title>" + Escaped(title) + "</title></circle>\n";
 }
 
-void SvgPlot::AddLegend(const std::string& colour, const std::string& label) { legend_.emplace_back(colour, label); }
+void SvgPlot::AddLegend(const std::string& colour, const std::string& label) {
+  legend_.emplace_back(colour, label);
+}
 
 std::string SvgPlot::Grid() const {
   std::string grid;
@@ -134,25 +148,24 @@ std::string SvgPlot::Grid() const {
 
 std::string SvgPlot::Legend() const {
   std::string legend;
-  double left = kLeft;
   for (const auto& [colour, label] : legend_) {
-    legend += "<rect x=\"" + Pixel(left) + "\" y=\"6\" width=\"12\" height=\"8\" fill=\"" + colour + "\"/>\n";
-    legend += TextElement({left + 16.0, 14.0}, "start", label);
-    left += 34.0 + kLetterWidth * static_cast<double>(label.size());
+    legend += "<span><i style=\"background:" + colour + "\"></i>" + Escaped(label) + "</span>\n";
   }
-  return legend;
+  return "<figcaption>" + legend + "</figcaption>\n";
 }
 
 std::string SvgPlot::Text() const {
   const std::string size = std::to_string(width_) + " " + std::to_string(height_);
-  const std::string frame = "x=\"" + std::to_string(kLeft) + "\" y=\"" + std::to_string(kTop) + "\" width=\"" +
-                            std::to_string(width_ - kLeft - kRight) + "\" height=\"" +
+  const std::string frame = "x=\"" + std::to_string(kLeft) + "\" y=\"" + std::to_string(kTop) +
+                            "\" width=\"" + std::to_string(width_ - kLeft - kRight) + "\" height=\"" +
                             std::to_string(height_ - kTop - kBottom) + "\"";
-  // A nested svg element cuts what is drawn outside of the axes, without an identifier that must be unique in the page.
-  return "<svg viewBox=\"0 0 " + size + "\" width=\"" + std::to_string(width_) + "\" height=\"" +
-         std::to_string(height_) + "\" role=\"img\">\n" + Grid() + "<svg " + frame + " viewBox=\"" +
-         std::to_string(kLeft) + " " + std::to_string(kTop) + " " + std::to_string(width_ - kLeft - kRight) + " " +
-         std::to_string(height_ - kTop - kBottom) + "\">\n" + drawings_ + "</svg>\n" + Legend() + "</svg>\n";
+  // A nested svg element cuts what is drawn outside of the axes, without an identifier that must be unique in
+  // the page.
+  return "<figure>\n" + Legend() + "<svg viewBox=\"0 0 " + size + "\" width=\"" + std::to_string(width_) +
+         "\" height=\"" + std::to_string(height_) + "\" role=\"img\">\n" + Grid() + "<svg " + frame +
+         " viewBox=\"" + std::to_string(kLeft) + " " + std::to_string(kTop) + " " +
+         std::to_string(width_ - kLeft - kRight) + " " + std::to_string(height_ - kTop - kBottom) + "\">\n" +
+         drawings_ + "</svg>\n</svg>\n</figure>\n";
 }
 
 }  // namespace contact_shapelets::cli

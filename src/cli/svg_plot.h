@@ -4,7 +4,7 @@
 #include <vector>
 
 /// \file
-/// Plots as SVG text, to be put into a page.
+/// Plots for a page: SVG with a list of what is drawn above it.
 
 namespace contact_shapelets::cli {
 
@@ -24,24 +24,25 @@ struct PlotAxis {
   double greatest = 1.0;
 };
 
-/// Axes with ticks, and what is drawn between them. Later drawings lie above earlier ones; what leaves the axes is cut.
+/// Axes with ticks, and what is drawn between them. Later drawings lie above earlier ones; what leaves the
+/// axes is cut.
 class SvgPlot {
  public:
   /// Axes of `width` by `height` pixels, titles and ticks included. An extent of zero is widened.
   SvgPlot(const PlotAxis& x, const PlotAxis& y, int width, int height);
 
-  /// A line through `points`, `thickness` pixels wide; with a `label`, it is listed above the axes.
+  /// A line through `points`, `thickness` pixels wide; with a `label`, it is listed above the plot.
   void AddLine(const std::vector<PlotPoint>& points, const std::string& colour, double thickness,
                const std::string& label = "");
   /// A translucent band between two lines of the same x.
-  void AddBand(const std::vector<PlotPoint>& upper, const std::vector<PlotPoint>& lower, const std::string& colour,
-               const std::string& label = "");
+  void AddBand(const std::vector<PlotPoint>& upper, const std::vector<PlotPoint>& lower,
+               const std::string& colour, const std::string& label = "");
   /// A dot whose `title` shows where the pointer rests on it.
   void AddDot(const PlotPoint& point, const std::string& colour, const std::string& title);
-  /// Adds an entry to the list above the axes.
+  /// Adds an entry to the list above the plot.
   void AddLegend(const std::string& colour, const std::string& label);
 
-  /// The whole plot as an svg element.
+  /// The whole plot as a figure element of HTML.
   std::string Text() const;
 
  private:

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 
 namespace contact_shapelets {
@@ -14,12 +15,15 @@ void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expec
   if (stat(path.c_str(), &status) != 0) throw std::runtime_error(but + "there is no such file");
   if (!S_ISREG(status.st_mode)) throw std::runtime_error(but + "it is not a file");
   if (status.st_size == 0) throw std::runtime_error(but + "the file is empty");
+  std::string start(9, '\0');
+  std::ifstream(path).read(&start[0], static_cast<std::streamsize>(start.size()));
+  if (start != "#ROSBAG V") throw std::runtime_error(but + "the file is of another kind");
   try {
     bag->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
     throw std::runtime_error(but + "it has no index, since it was cut off while recording: run `rosbag reindex` on it");
   } catch (const std::exception& error) {
-    throw std::runtime_error(but + "it cannot be read: " + error.what());
+    throw std::runtime_error(but + "it is cut off or damaged: " + error.what());
   }
 }
 

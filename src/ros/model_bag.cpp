@@ -50,7 +50,6 @@ void SaveModel(const std::string& path, const core::Model& model) {
 }
 
 core::Model LoadModel(const std::string& path) {
-  const std::string expected = path + ": expected a bag with one contact_shapelets/ShapeletModel, but ";
   rosbag::Bag bag;
   OpenBag(path, &bag, "a bag with one contact_shapelets/ShapeletModel");
   try {
@@ -64,7 +63,8 @@ core::Model LoadModel(const std::string& path) {
     }
     return FromMessage(*message);
   } catch (const std::exception& error) {
-    throw std::runtime_error(expected + OneLine(error.what()));
+    throw std::runtime_error(path + ": expected a bag with one contact_shapelets/ShapeletModel, but " +
+                             OneLine(error.what()));
   }
 }
 

@@ -46,7 +46,7 @@ const XmlRpcValue* ParameterReader::Find(const std::string& name, const std::str
 }
 
 void ParameterReader::AddTypeFault(const std::string& name, const std::string& expected) {
-  faults_ << name << " must be " << expected << ", but is of another type\n";
+  faults_ << name << " must be " << expected << ", but is " << tree_[name] << '\n';
 }
 
 void ParameterReader::Read(const std::string& name, double* value) {

@@ -37,9 +37,12 @@ ParameterReader ParameterReader::FromYaml(const std::vector<std::string>& paths)
     YAML::Node root;
     try {
       root = YAML::LoadFile(path);
+    } catch (const YAML::BadFile&) {
+      throw std::runtime_error(path + ": expected a YAML file with parameters, but it cannot be opened");
     } catch (const YAML::Exception& error) {
       throw std::runtime_error(path + ": expected a YAML file with parameters, but " + error.what());
     }
+    if (root.IsNull()) continue;  // nothing but comments
     if (!root.IsMap()) throw std::runtime_error(path + ": expected `name: value` lines");
     for (const auto& entry : root) tree[entry.first.as<std::string>()] = ValueOf(entry.second);
   }

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include "cli/made_bags.h"
+#include "cli/program.h"
+
+namespace contact_shapelets::test {
+namespace {
+
+constexpr char kQuick[] = "steps: 2\nscales: [0.1, 0.3]\nstart_windows: 300\nthreads: 1\n";
+
+class BadInputTest : public testing::Test {
+ protected:
+  /// Expects this exit status, nothing else than one line on stderr, and all `parts` in it.
+  static void ExpectRefusal(const std::vector<std::string>& arguments, int status,
+                            const std::vector<std::string>& parts) {
+    const Run run = RunShapelets(arguments);
+    EXPECT_EQ(run.status, status) << run.err;
+    EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;
+    for (const std::string& part : parts)
+      EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
+  }
+
+  /// Expects that training on `bag` is refused, and that no model is left.
+  void ExpectTrainingRefused(const std::string& bag, const std::vector<std::string>& parts) {
+    ExpectRefusal({"train", bag, "--model", model_, "--config", quick_}, 1, parts);
+    EXPECT_THROW(ReadFile(model_), std::runtime_error) << "a model was written";
+  }
+
+  std::string Sound() { return Make(folder_ / "sound.bag", MadeBag()); }
+
+  TemporaryFolder folder_;
+  const std::string model_ = folder_ / "model.bag";
+  const std::string quick_ = WriteFile(folder_ / "quick.yaml", kQuick);
+};
+
+TEST_F(BadInputTest, MissingBag) {
+  ExpectTrainingRefused(folder_ / "none.bag", {"none.bag", "there is no such file"});
+}
+
+TEST_F(BadInputTest, FolderInPlaceOfABag) { ExpectTrainingRefused("/", {"/: expected a bag", "not a file"}); }
+
+TEST_F(BadInputTest, EmptyFile) {
+  ExpectTrainingRefused(WriteFile(folder_ / "empty.bag", ""), {"empty.bag", "the file is empty"});
+}
+
+TEST_F(BadInputTest, FileOfAnotherKind) {
+  ExpectTrainingRefused(WriteFile(folder_ / "text.bag", "hello\n"), {"text.bag", "of another kind"});
+}
+
+TEST_F(BadInputTest, BagWithoutAMessage) {
+  MadeBag content;
+  content.episodes = 0;
+  ExpectTrainingRefused(Make(folder_ / "no_message.bag", content),
+                        {"no_message.bag", "geometry_msgs/WrenchStamped", "none"});
+}
+
+TEST_F(BadInputTest, BagThatWasCutOff) {
+  const std::string whole = ReadFile(Sound());
+  ExpectTrainingRefused(WriteFile(folder_ / "cut.bag", whole.substr(0, whole.size() / 2)),
+                        {"cut.bag", "cut off"});
+}
+
+TEST_F(BadInputTest, NoWrenchTopic) {
+  MadeBag content;
+  content.wrench_topics = {};
+  ExpectTrainingRefused(Make(folder_ / "no_wrench.bag", content),
+                        {"no_wrench.bag", "geometry_msgs/WrenchStamped", "/episode_active (std_msgs/Bool)"});
+}
+
+TEST_F(BadInputTest, TwoWrenchTopics) {
+  MadeBag content;
+  content.wrench_topics = {"/left", "/right"};
+  ExpectTrainingRefused(Make(folder_ / "two.bag", content), {"two.bag", "/left, /right", "--wrench-topic"});
+}
+
+TEST_F(BadInputTest, WrenchTopicThatIsNotThere) {
+  ExpectRefusal({"train", Sound(), "--model", model_, "--wrench-topic", "/other"}, 1,
+                {"sound.bag", "/other", "/wrench (geometry_msgs/WrenchStamped)"});
+}
+
+TEST_F(BadInputTest, NoEpisode) {
+  MadeBag content;
+  content.triggers = false;
+  ExpectTrainingRefused(Make(folder_ / "no_episode.bag", content),
+                        {"no_episode.bag", "episode_active", "contact"});
+}
+
+TEST_F(BadInputTest, FewerEpisodesThanClusters) {
+  MadeBag content;
+  content.episodes = 2;
+  ExpectTrainingRefused(Make(folder_ / "few.bag", content), {"few.bag", "episodes (2)", "clusters (3)"});
+}
+
+TEST_F(BadInputTest, AllEpisodesFlat) {
+  MadeBag content;
+  content.flaw = Flaw::kFlat;
+  ExpectTrainingRefused(Make(folder_ / "flat.bag", content), {"flat.bag", "all episodes are flat"});
+}
+
+TEST_F(BadInputTest, ModelThatIsNoBag) {
+  ExpectRefusal({"classify", Sound(), "--model", WriteFile(folder_ / "text.bag", "hello\n")}, 1,
+                {"text.bag", "another kind"});
+}
+
+TEST_F(BadInputTest, ModelThatIsAnotherBag) {
+  const std::string bag = Sound();
+  ExpectRefusal({"classify", bag, "--model", bag}, 1, {"sound.bag", "contact_shapelets/ShapeletModel", "0"});
+}
+
+TEST_F(BadInputTest, ModelOfAnotherMessageVersion) {
+  ExpectRefusal({"classify", Sound(), "--model", MakeModelOfAnotherVersion(folder_ / "old.bag")}, 1,
+                {"old.bag", "another version", "0123456789abcdef0123456789abcdef"});
+}
+
+TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
+  const std::string config =
+      WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
+  ExpectRefusal(
+      {"train", Sound(), "--model", model_, "--config", config}, 1,
+      {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
+       "sample_period must be in (0, 1] s, but is 7", "stepps is not a parameter"});
+}
+
+TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
+  ExpectRefusal({"train", Sound(), "--model", model_, "--config", folder_ / "none.yaml"}, 1,
+                {"none.yaml", "cannot be opened"});
+}
+
+TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
+  ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1,
+                {"--model", "there is no folder"});
+  ExpectRefusal({"classify", Sound(), "--model", model_, "--csv", folder_ / "none/a.csv"}, 1,
+                {"--csv", "there is no folder"});
+}
+
+TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
+  const std::string recording = Sound();
+  const std::string before = ReadFile(recording);
+  MadeBag content;
+  content.episodes = 3;
+  const std::string other = Make(folder_ / "other.bag", content);
+  ExpectRefusal({"train", recording, "--model", recording}, 1,
+                {"sound.bag", "one of the bags that are read"});
+  ExpectRefusal({"train", other, "--model", recording}, 1, {"sound.bag", "found another bag"});
+  EXPECT_EQ(ReadFile(recording), before);
+}
+
+TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
+  const std::string bag = Sound();
+  ExpectRefusal({}, 2, {"subcommand"});
+  ExpectRefusal({"learn"}, 2, {"train, classify", "learn"});
+  ExpectRefusal({"train", bag}, 2, {"--model"});
+  ExpectRefusal({"train", bag, "--model", model_, "--clusters", "1"}, 2, {"--clusters", "1"});
+  ExpectRefusal({"train", bag, "--model", model_, "--segmentation", "guess"}, 2, {"--segmentation", "guess"});
+  ExpectRefusal({"classify", "--model", model_}, 2, {"bags"});
+  ExpectRefusal({"report", model_, "--out", folder_ / "out"}, 2, {"bags"});
+  ExpectRefusal({"inspect", bag, "--loud"}, 2, {"--loud"});
+}
+
+TEST_F(BadInputTest, HelpIsNoError) {
+  const Run run = RunShapelets({"train", "--help"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_NE(run.out.find("--model"), std::string::npos);
+}
+
+TEST_F(BadInputTest, FailedTrainingLeavesTheOldModel) {
+  ASSERT_EQ(RunShapelets({"train", Sound(), "--model", model_, "--config", quick_}).status, 0);
+  const std::string before = ReadFile(model_);
+  MadeBag content;
+  content.flaw = Flaw::kFlat;
+  EXPECT_EQ(RunShapelets({"train", Make(folder_ / "flat.bag", content), "--model", model_}).status, 1);
+  EXPECT_EQ(ReadFile(model_), before);
+}
+
+TEST_F(BadInputTest, KilledTrainingLeavesTheOldModelAndNothingElse) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::string before = ReadFile(model_);
+  const std::vector<std::string> files = folder_.Files();
+  const std::string endless =
+      WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
+  ASSERT_TRUE(KillShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go"));
+  EXPECT_EQ(ReadFile(model_), before);
+  EXPECT_EQ(folder_.Files(), files);
+}
+
+}  // namespace
+}  // namespace contact_shapelets::test

@@ -1,0 +1,115 @@
+#include "cli/program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace contact_shapelets::test {
+namespace {
+
+/// Starts the program with stdout and stderr led to these descriptors.
+pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
+  std::vector<std::string> words{SHAPELETS_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process can be started");
+  if (child == 0) {
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    execv(pointers.front(), pointers.data());
+    _exit(127);
+  }
+  return child;
+}
+
+int OpenForWriting(const std::string& path) {
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  if (descriptor < 0) throw std::runtime_error(path + " cannot be written");
+  return descriptor;
+}
+
+}  // namespace
+
+Run RunShapelets(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  const int out = OpenForWriting(folder / "out");
+  const int err = OpenForWriting(folder / "err");
+  const pid_t child = Start(arguments, out, err);
+  close(out);
+  close(err);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadFile(folder / "out"), ReadFile(folder / "err")};
+}
+
+bool KillShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text) {
+  std::array<int, 2> pipe_ends{};
+  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe can be made");
+  const int nowhere = OpenForWriting("/dev/null");
+  const pid_t child = Start(arguments, nowhere, pipe_ends[1]);
+  close(pipe_ends[1]);
+  close(nowhere);
+  std::string err;
+  std::array<char, 256> part{};
+  while (err.find(text) == std::string::npos) {
+    const ssize_t size = read(pipe_ends[0], part.data(), part.size());
+    if (size <= 0) break;
+    err.append(part.data(), static_cast<std::size_t>(size));
+  }
+  kill(child, SIGKILL);
+  int status = 0;
+  waitpid(child, &status, 0);
+  close(pipe_ends[0]);
+  return err.find(text) != std::string::npos && WIFSIGNALED(status);
+}
+
+TemporaryFolder::TemporaryFolder() {
+  path_ = (std::filesystem::temp_directory_path() / "shapelets_test_XXXXXX").string();
+  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::vector<std::string> TemporaryFolder::Files() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string ReadFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("there is no file " + path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string WriteFile(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::vector<std::string> Lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace contact_shapelets::test

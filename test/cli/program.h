@@ -1,0 +1,51 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+/// \file
+/// Runs the offline program as a process.
+
+namespace contact_shapelets::test {
+
+/// What a run of the program left.
+struct Run {
+  int status = -1;  ///< exit status; -1 where a signal ended it
+  std::string out;
+  std::string err;
+};
+
+/// Runs `shapelets` with these arguments and waits for its end.
+Run RunShapelets(const std::vector<std::string>& arguments);
+
+/// Starts `shapelets`, waits until it has written `text` to stderr, and kills it by SIGKILL.
+/// Returns false where it ended before.
+bool KillShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text);
+
+/// A folder that is removed with all that is in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  /// The path of a file in it.
+  std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  /// Names of all files in it, in alphabetical order.
+  std::vector<std::string> Files() const;
+
+ private:
+  std::string path_;
+};
+
+/// The whole file. \throws std::runtime_error where there is none.
+std::string ReadFile(const std::string& path);
+/// Writes `text` to `path`, and returns `path`.
+std::string WriteFile(const std::string& path, const std::string& text);
+/// The lines of `text`.
+std::vector<std::string> Lines(const std::string& text);
+
+}  // namespace contact_shapelets::test
