@@ -237,7 +237,8 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
 void Judge(const BagReaderOptions& options, BagInspection* inspection) {
   std::vector<Problem>& problems = inspection->problems;
   if (inspection->messages == 0) problems.push_back({"the bag holds no message", "record again"});
-  if (inspection->model || inspection->messages == 0) return;
+  const bool model_file = HasMarker(*inspection, kModelType, nullptr) && inspection->wrenches.empty();
+  if (model_file || inspection->messages == 0) return;
   JudgeWrenches(*inspection, options, &problems);
   for (const EpisodesFound& found : inspection->recorded) JudgeEpisodes("", found, &problems);
   if (!inspection->recorded.empty()) return;
@@ -259,6 +260,17 @@ void Judge(const BagReaderOptions& options, BagInspection* inspection) {
   } else if (!HasMarker(*inspection, "std_msgs/String", topics::kOutcome)) {
     problems.push_back(
         {"no outcome topic", "not needed to train; without it, clusters are named by hand and not scored"});
+  }
+}
+
+/// The model of a bag with one; a recording may hold several, of which none is the bag's own.
+void ReadModel(const std::string& path, BagInspection* inspection) {
+  const auto is_model = [](const OtherTopic& topic) { return topic.type == kModelType && topic.messages == 1; };
+  if (std::none_of(inspection->markers.begin(), inspection->markers.end(), is_model)) return;
+  try {
+    inspection->model = LoadModel(path);
+  } catch (const std::exception& error) {
+    inspection->problems.push_back({error.what(), "train again with this version of the package"});
   }
 }
 
@@ -287,7 +299,7 @@ BagInspection InspectBag(const std::string& path, const BagReaderOptions& option
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }
-  if (HasMarker(inspection, kModelType, nullptr)) inspection.model = LoadModel(path);
+  ReadModel(path, &inspection);
   FindAllEpisodes(path, options, &inspection);
   Judge(options, &inspection);
   return inspection;

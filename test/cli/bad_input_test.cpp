@@ -13,7 +13,7 @@ class BadInputTest : public testing::Test {
   /// Expects this exit status, nothing else than one line on stderr, and all `parts` in it.
   static void ExpectRefusal(const std::vector<std::string>& arguments, int status,
                             const std::vector<std::string>& parts) {
-    const Run run = RunShapelets(arguments);
+    const ProgramRun run = RunShapelets(arguments);
     EXPECT_EQ(run.status, status) << run.err;
     EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;
     for (const std::string& part : parts)
@@ -158,7 +158,7 @@ TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
 }
 
 TEST_F(BadInputTest, HelpIsNoError) {
-  const Run run = RunShapelets({"train", "--help"});
+  const ProgramRun run = RunShapelets({"train", "--help"});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_NE(run.out.find("--model"), std::string::npos);

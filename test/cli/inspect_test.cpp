@@ -17,7 +17,7 @@ std::string InspectFlaw(Flaw flaw) {
   const TemporaryFolder folder;
   MadeBag content;
   content.flaw = flaw;
-  const Run run = RunShapelets({"inspect", Make(folder / "made.bag", content)});
+  const ProgramRun run = RunShapelets({"inspect", Make(folder / "made.bag", content)});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.err, "");
   return run.out;
@@ -84,7 +84,7 @@ TEST(InspectTest, AbsenceOfMarkersIsNamed) {
   MadeBag content;
   content.triggers = false;
   content.outcomes = false;
-  const Run run = RunShapelets({"inspect", Make(folder / "made.bag", content)});
+  const ProgramRun run = RunShapelets({"inspect", Make(folder / "made.bag", content)});
   EXPECT_TRUE(Contains(run.out, "episode markers: none")) << run.out;
   EXPECT_TRUE(Contains(run.out, "use --segmentation contact")) << run.out;
 }
@@ -96,17 +96,25 @@ TEST(InspectTest, SecondWrenchTopicIsAProblemUnlessOneIsChosen) {
   const std::string bag = Make(folder / "made.bag", content);
   EXPECT_TRUE(
       Contains(RunShapelets({"inspect", bag}).out, "several topics of type geometry_msgs/WrenchStamped"));
-  const Run chosen = RunShapelets({"inspect", bag, "--wrench-topic", "/left/wrench"});
+  const ProgramRun chosen = RunShapelets({"inspect", bag, "--wrench-topic", "/left/wrench"});
   EXPECT_TRUE(Contains(chosen.out, "problems: none")) << chosen.out;
 }
 
 TEST(InspectTest, UnreadableBagIsNamedAndTheOthersAreInspected) {
   const TemporaryFolder folder;
-  const Run run = RunShapelets({"inspect", folder / "missing.bag", Make(folder / "made.bag", MadeBag())});
+  const ProgramRun run = RunShapelets({"inspect", folder / "missing.bag", Make(folder / "made.bag", MadeBag())});
   EXPECT_EQ(run.status, 1);
   ASSERT_EQ(Lines(run.err).size(), 1U) << run.err;
   EXPECT_TRUE(Contains(run.err, "missing.bag: expected a bag, but there is no such file")) << run.err;
   EXPECT_TRUE(Contains(run.out, "problems: none")) << run.out;
+}
+
+TEST(InspectTest, ModelOfAnotherMessageVersionIsAProblem) {
+  const TemporaryFolder folder;
+  const ProgramRun run = RunShapelets({"inspect", MakeModelOfAnotherVersion(folder / "old.bag")});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(Contains(run.out, "another version")) << run.out;
+  EXPECT_TRUE(Contains(run.out, "train again")) << run.out;
 }
 
 /// A recording of a real robot, in the optional folder of data beside the package.
@@ -115,7 +123,7 @@ class RecordedTest : public testing::Test {
   std::string InspectRecorded(const std::string& name) {
     const std::string path = "../shared/data/robot/baxter_pick_and_place/" + name;
     if (!std::filesystem::exists(path)) return "";
-    const Run run = RunShapelets({"inspect", path});
+    const ProgramRun run = RunShapelets({"inspect", path});
     EXPECT_EQ(run.status, 0) << run.err;
     return run.out;
   }

@@ -63,13 +63,13 @@ class OutputsTest : public testing::Test {
   static std::unique_ptr<TemporaryFolder> folder_;
   static std::string bag_;
   static std::string model_;
-  static Run training_;
+  static ProgramRun training_;
 };
 
 std::unique_ptr<TemporaryFolder> OutputsTest::folder_;
 std::string OutputsTest::bag_;
 std::string OutputsTest::model_;
-Run OutputsTest::training_;
+ProgramRun OutputsTest::training_;
 
 TEST_F(OutputsTest, TrainingSaysWhatItFound) {
   EXPECT_EQ(training_.status, 0) << training_.err;
@@ -84,7 +84,7 @@ TEST_F(OutputsTest, ModelSaysWhereItCameFrom) {
   EXPECT_EQ(model.clusters.size(), 3U);
   EXPECT_EQ(model.provenance.sources, std::vector<std::string>{bag_});
   EXPECT_EQ(model.provenance.training_episodes, kEpisodes);
-  const Run run = RunShapelets({"inspect", model_});
+  const ProgramRun run = RunShapelets({"inspect", model_});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("model " + model.id), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("30 episodes of 4.33 s (median) from " + bag_), std::string::npos) << run.out;
@@ -92,7 +92,7 @@ TEST_F(OutputsTest, ModelSaysWhereItCameFrom) {
 
 TEST_F(OutputsTest, CsvHasTheAgreedColumnsAndOneLinePerEpisode) {
   const std::string csv = *folder_ / "out.csv";
-  const Run run = RunShapelets({"classify", bag_, "--model", model_, "--csv", csv});
+  const ProgramRun run = RunShapelets({"classify", bag_, "--model", model_, "--csv", csv});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::vector<std::string> lines = Lines(ReadFile(csv));
   ASSERT_EQ(lines.size(), kEpisodes + 1U);
@@ -110,7 +110,7 @@ TEST_F(OutputsTest, CsvHasTheAgreedColumnsAndOneLinePerEpisode) {
 TEST_F(OutputsTest, ClassifyEndsWithTheRandIndexOfItsOwnTable) {
   const std::string csv = *folder_ / "scored.csv";
   // A novel episode has no cluster in the table, but counts by its nearest one: here none may be novel.
-  const Run run = RunShapelets({"classify", bag_, "--model", model_, "--csv", csv});
+  const ProgramRun run = RunShapelets({"classify", bag_, "--model", model_, "--csv", csv});
   std::vector<std::string> outcomes;
   std::vector<std::string> clusters;
   for (const std::string& line : Lines(ReadFile(csv))) {
@@ -132,7 +132,7 @@ TEST_F(OutputsTest, ClassifyEndsWithTheRandIndexOfItsOwnTable) {
 TEST_F(OutputsTest, AnnotatedBagHoldsTheRecordingAndAResultForEachEpisode) {
   const std::string raw = Make(*folder_ / "raw.bag", MadeBag());
   const std::string annotated = *folder_ / "annotated.bag";
-  const Run run = RunShapelets({"classify", raw, "--model", model_, "--annotate", annotated});
+  const ProgramRun run = RunShapelets({"classify", raw, "--model", model_, "--annotate", annotated});
   ASSERT_EQ(run.status, 0) << run.err;
   std::map<std::string, int> expected = MessagesOf(raw);
   for (const char* const topic : {"/features", "/diagnosis", "/event"}) expected[topic] = 6;
@@ -166,7 +166,7 @@ TEST_F(OutputsTest, EqualSeedsGiveEqualModels) {
 
 TEST_F(OutputsTest, NumberOfClustersFollowsTheArgument) {
   const std::string two = *folder_ / "two.bag";
-  const Run run =
+  const ProgramRun run =
       RunShapelets({"train", bag_, "--model", two, "--clusters", "2", "--config", *folder_ / "quick.yaml"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(LoadModel(two).clusters.size(), 2U);
@@ -175,7 +175,7 @@ TEST_F(OutputsTest, NumberOfClustersFollowsTheArgument) {
 TEST_F(OutputsTest, DroppedSamplesAreCountedInTheSummary) {
   MadeBag content;
   content.flaw = Flaw::kNotFinite;
-  const Run run = RunShapelets({"classify", Make(*folder_ / "nan.bag", content), "--model", model_});
+  const ProgramRun run = RunShapelets({"classify", Make(*folder_ / "nan.bag", content), "--model", model_});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("nan.bag: 36 samples NaN or infinite, dropped"), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("nan,"), std::string::npos) << run.out;
@@ -184,15 +184,16 @@ TEST_F(OutputsTest, DroppedSamplesAreCountedInTheSummary) {
 TEST_F(OutputsTest, ContactSegmentationNeedsNoTrigger) {
   MadeBag content;
   content.triggers = false;
-  const Run run = RunShapelets(
+  const ProgramRun run = RunShapelets(
       {"classify", Make(*folder_ / "contact.bag", content), "--model", model_, "--segmentation", "contact"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_NE(run.out.find("6 episodes by model"), std::string::npos) << run.out;
+  // The two double pushes rest below contact_off for longer than contact_hold_off: two contacts each.
+  EXPECT_NE(run.out.find("8 episodes by model"), std::string::npos) << run.out;
 }
 
 TEST_F(OutputsTest, ReportIsOnePageThatNeedsNoOtherFile) {
   const std::string out = *folder_ / "reports/first";
-  const Run run = RunShapelets({"report", model_, bag_, "--out", out});
+  const ProgramRun run = RunShapelets({"report", model_, bag_, "--out", out});
   ASSERT_EQ(run.status, 0) << run.err;
   const std::string page = ReadFile(out + "/index.html");
   EXPECT_EQ(page.compare(0, 15, "<!DOCTYPE html>"), 0);

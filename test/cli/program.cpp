@@ -41,7 +41,7 @@ int OpenForWriting(const std::string& path) {
 
 }  // namespace
 
-Run RunShapelets(const std::vector<std::string>& arguments) {
+ProgramRun RunShapelets(const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const int out = OpenForWriting(folder / "out");
   const int err = OpenForWriting(folder / "err");

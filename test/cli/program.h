@@ -11,14 +11,14 @@
 namespace contact_shapelets::test {
 
 /// What a run of the program left.
-struct Run {
+struct ProgramRun {
   int status = -1;  ///< exit status; -1 where a signal ended it
   std::string out;
   std::string err;
 };
 
 /// Runs `shapelets` with these arguments and waits for its end.
-Run RunShapelets(const std::vector<std::string>& arguments);
+ProgramRun RunShapelets(const std::vector<std::string>& arguments);
 
 /// Starts `shapelets`, waits until it has written `text` to stderr, and kills it by SIGKILL.
 /// Returns false where it ended before.
