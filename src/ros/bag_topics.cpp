@@ -17,13 +17,13 @@ void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expec
   if (status.st_size == 0) throw std::runtime_error(but + "the file is empty");
   std::string start(9, '\0');
   std::ifstream(path).read(&start[0], static_cast<std::streamsize>(start.size()));
-  if (start != "#ROSBAG V") throw std::runtime_error(but + "the file is of another kind");
+  if (start != "#ROSBAG V") throw std::runtime_error(but + "it cannot be read: the file is of another kind");
   try {
     bag->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
     throw std::runtime_error(but + "it has no index, since it was cut off while recording: run `rosbag reindex` on it");
   } catch (const std::exception& error) {
-    throw std::runtime_error(but + "it is cut off or damaged: " + error.what());
+    throw std::runtime_error(but + "it cannot be read, it is cut off or damaged: " + error.what());
   }
 }
 
