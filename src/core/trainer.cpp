@@ -14,6 +14,9 @@
 namespace contact_shapelets::core {
 namespace {
 
+/// [N] A tare leaves rounding errors of a constant force, which are all that its magnitude then holds.
+constexpr float kRounding = 1e-9F;
+
 void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   if (episodes.size() < static_cast<std::size_t>(clusters)) {
     throw std::invalid_argument("there are fewer episodes (" + std::to_string(episodes.size()) + ") than clusters (" +
@@ -28,7 +31,8 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
     if (std::abs(episode.sample_period - episodes.front().sample_period) > 1e-9) {
       throw std::invalid_argument("episode " + episode.id + " has another sample period than the first one");
     }
-    all_flat = all_flat && ZNormalised(episode.force).isZero();
+    const bool steady = episode.force.maxCoeff() - episode.force.minCoeff() < kRounding;
+    all_flat = all_flat && (steady || ZNormalised(episode.force).isZero());
   }
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
 }
