@@ -70,8 +70,9 @@ class Scores:
 
 
 def average(values):
-    values = [value for value in values if value is not None]
-    return statistics.mean(values) if values else None
+    """The mean; None where a value is missing, since averages over different data sets do not compare."""
+    values = list(values)
+    return statistics.mean(values) if values and None not in values else None
 
 
 def text(value, form="{:.2f}"):
@@ -170,7 +171,7 @@ def udfs_table(scores):
     rows = []
     for name in names:
         values = [better_or_none(scores, method, name) for method in methods]
-        rows.append([name] + [text(value) for value in values] + [text(max(v for v in values if v is not None))])
+        rows.append([name] + [text(value) for value in values] + [text(max((value for value in values if value is not None), default=None))])
     return table(["data"] + [f"k = {sizes[method]}" for method in methods] + ["best k"], rows)
 
 
@@ -195,7 +196,9 @@ def ablation_table(scores, folder):
         values = [better_or_none(variant, "nn_stne", data_set) for data_set in PAPER]
         side = average(better_or_none(variant, "nn_stne", data_set) for data_set in DEVELOPMENT)
         reference = side if reference is None else reference
-        rows.append([name] + [text(value, "{:.3f}") for value in values] + [f"{side:.3f}", f"{side - reference:+.3f}"])
+        difference = None if None in (side, reference) else side - reference
+        cells = [text(value, "{:.3f}") for value in values + [side]]
+        rows.append([name] + cells + [text(difference, "{:+.3f}")])
     return table(["variant"] + list(PAPER) + ["all development sets", "difference"], rows)
 
 

@@ -55,7 +55,9 @@ void WriteAverages(const std::vector<std::string>& data_sets, const std::vector<
       ++count;
     }
     char text[32] = "";
-    if (count > 0) std::snprintf(text, sizeof(text), " %.3f", sum / count);
+    // Averages over different data sets do not compare.
+    const bool all = count == static_cast<int>(data_sets.size());
+    if (all) std::snprintf(text, sizeof(text), " %.3f", sum / count);
     *stream << text << " |";
   }
   *stream << '\n';
