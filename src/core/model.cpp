@@ -12,9 +12,6 @@ void CheckShapelets(const Model& model, std::ostream& faults) {
     const Shapelet& shapelet = model.shapelets[index];
     if (shapelet.values.size() < 2) faults << "shapelet " << index << " has fewer than 2 values\n";
     if (!shapelet.values.allFinite()) faults << "shapelet " << index << " holds a value that is not finite\n";
-    if (!(shapelet.weight > 0.0F) || !std::isfinite(shapelet.weight)) {
-      faults << "shapelet " << index << " has a weight that is not above 0\n";
-    }
     if (shapelet.dilation < 1) faults << "shapelet " << index << " has a dilation below 1\n";
   }
 }
@@ -35,9 +32,7 @@ void CheckClusters(const Model& model, std::ostream& faults) {
 }  // namespace
 
 Eigen::MatrixXf Model::Features(const Eigen::Ref<const Eigen::MatrixXf>& distances) const {
-  Eigen::MatrixXf features = (distances.array().max(0.0F) + static_cast<float>(log_offset)).log().matrix();
-  for (std::size_t k = 0; k < shapelets.size(); ++k) features.col(static_cast<Eigen::Index>(k)) *= shapelets[k].weight;
-  return features;
+  return (distances.array().max(0.0F) + static_cast<float>(log_offset)).log().matrix();
 }
 
 std::string Model::EventOf(int cluster) const {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
+#include "contact_shapelets/core/consensus.h"
 #include "contact_shapelets/core/feature_extractor.h"
 #include "contact_shapelets/core/kmeans.h"
 #include "contact_shapelets/core/parallel.h"
@@ -46,16 +48,19 @@ Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const F
   return distances;
 }
 
-/// Weights scale^-p, of mean square 1 over all shapelets, so that distances keep their size.
-void WeighByScale(const std::vector<ShapeletBank>& banks, double exponent, std::vector<Shapelet>* shapelets) {
-  double squares = 0.0;
-  for (Shapelet& shapelet : *shapelets) {
-    const double weight = std::pow(banks[static_cast<std::size_t>(shapelet.scale)].scale, -exponent);
-    shapelet.weight = static_cast<float>(weight);
-    squares += weight * weight;
+/// The scale that each of `shapelets` was learned at.
+Eigen::VectorXf ScalesOf(const std::vector<Shapelet>& shapelets, const Model& model) {
+  Eigen::VectorXf scales(shapelets.size());
+  for (std::size_t k = 0; k < shapelets.size(); ++k) {
+    const auto scale = static_cast<std::size_t>(shapelets[k].scale);
+    scales[static_cast<Eigen::Index>(k)] = static_cast<float>(model.provenance.selected_scales[scale]);
   }
-  const double mean = std::sqrt(squares / static_cast<double>(shapelets->size()));
-  for (Shapelet& shapelet : *shapelets) shapelet.weight /= static_cast<float>(mean);
+  return scales;
+}
+
+std::vector<Shapelet> StartShapeletsOf(std::vector<ShapeletBank> banks, int shortest) {
+  for (ShapeletBank& bank : banks) bank.shapelets = std::move(bank.start);
+  return CutShapelets(banks, shortest);
 }
 
 float NoveltyLimit(std::vector<float> distances, double quantile, double margin) {
@@ -65,19 +70,21 @@ float NoveltyLimit(std::vector<float> distances, double quantile, double margin)
   return std::max(static_cast<float>(margin) * covered, 1e-3F);
 }
 
-std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& features, const KMeansResult& partition,
-                                  const TrainerOptions& options) {
+/// Centroids are taken on the learned shapelets' features alone, so that one pass over an episode classifies it.
+std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& features,
+                                  const Eigen::Ref<const Eigen::VectorXi>& labels, const TrainerOptions& options) {
   std::vector<Cluster> clusters;
-  for (Eigen::Index index = 0; index < partition.centroids.rows(); ++index) {
+  for (int index = 0; index < options.clusters; ++index) {
+    Cluster cluster;
+    cluster.size = static_cast<int>((labels.array() == index).count());
+    cluster.centroid = Eigen::VectorXf::Zero(features.cols());
+    for (Eigen::Index row = 0; row < features.rows(); ++row) {
+      if (labels[row] == index) cluster.centroid += features.row(row).transpose() / static_cast<float>(cluster.size);
+    }
     std::vector<float> distances;
     for (Eigen::Index row = 0; row < features.rows(); ++row) {
-      if (partition.labels[row] == index) {
-        distances.push_back((features.row(row) - partition.centroids.row(index)).norm());
-      }
+      if (labels[row] == index) distances.push_back((features.row(row).transpose() - cluster.centroid).norm());
     }
-    Cluster cluster;
-    cluster.centroid = partition.centroids.row(index).transpose();
-    cluster.size = static_cast<int>(distances.size());
     cluster.novelty_limit = NoveltyLimit(distances, options.novelty_quantile, options.novelty_margin);
     clusters.push_back(std::move(cluster));
   }
@@ -130,9 +137,27 @@ std::string TrainerOptions::Faults() const {
   require(kmeans_restarts >= 1, "kmeans_restarts", "at least 1", kmeans_restarts);
   require(novelty_quantile > 0.0 && novelty_quantile <= 1.0, "novelty_quantile", "in (0, 1]", novelty_quantile);
   require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
-  require(scale_exponent >= 0.0 && scale_exponent <= 2.0, "scale_exponent", "in [0, 2]", scale_exponent);
+  for (const double exponent : vote_exponents) {
+    require(exponent >= 0.0 && exponent <= 2.0, "vote_exponents", "in [0, 2]", exponent);
+  }
   require(threads >= 0, "threads", "at least 0", threads);
   return faults.str() + learner.Faults();
+}
+
+Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& start_distances,
+                            const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options) {
+  const Model& model = result.model;
+  KMeansOptions kmeans;
+  kmeans.clusters = options.clusters;
+  kmeans.restarts = options.kmeans_restarts;
+  kmeans.seed = options.seed;
+  if (options.vote_exponents.empty()) return KMeans(model.Features(distances), kmeans).labels;
+  std::vector<View> views =
+      ScaleViews(model.Features(start_distances), ScalesOf(result.start_shapelets, model), options.vote_exponents);
+  for (View& view : ScaleViews(model.Features(distances), ScalesOf(model.shapelets, model), options.vote_exponents)) {
+    views.push_back(std::move(view));
+  }
+  return ConsensusLabels(views, kmeans, ThreadCount(options.threads));
 }
 
 TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
@@ -151,26 +176,22 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   Model& model = result.model;
   const std::vector<ShapeletBank> banks = LearnBanksWithProgress(series, options, progress);
   model.shapelets = CutShapelets(banks, options.learner.shortest);
-  WeighByScale(banks, options.scale_exponent, &model.shapelets);
   model.sample_period = episodes.front().sample_period;
   model.flat_fraction = options.learner.flat_fraction;
-  const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
-  result.distances = AllDistances(series, extractor, ThreadCount(options.threads));
+  for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
+  result.start_shapelets = StartShapeletsOf(banks, options.learner.shortest);
 
-  const Eigen::MatrixXf features = model.Features(result.distances);
-  KMeansOptions kmeans;
-  kmeans.clusters = options.clusters;
-  kmeans.restarts = options.kmeans_restarts;
-  kmeans.seed = options.seed;
-  const KMeansResult partition = KMeans(features, kmeans);
-  result.labels = partition.labels;
-  model.clusters = FormClusters(features, partition, options);
-  const std::vector<std::string> names = NameClusters(partition.labels, outcomes, options.clusters);
+  const int threads = ThreadCount(options.threads);
+  const Eigen::MatrixXf distances = AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
+  const Eigen::MatrixXf start_distances =
+      AllDistances(series, FeatureExtractor(result.start_shapelets, model.flat_fraction), threads);
+  result.labels = VotedLabels(result, start_distances, distances, options);
+  model.clusters = FormClusters(model.Features(distances), result.labels, options);
+  const std::vector<std::string> names = NameClusters(result.labels, outcomes, options.clusters);
   for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];
 
   model.id = ModelDigest(model);
   model.provenance.objective = options.learner.objective == Objective::kPaper ? "paper" : "contrastive";
-  for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
   model.provenance.seed = options.seed;
   model.provenance.training_episodes = static_cast<int>(episodes.size());
   model.provenance.typical_duration = MedianLength(series) * model.sample_period;

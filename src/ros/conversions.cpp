@@ -92,7 +92,7 @@ core::Model FromMessage(const ShapeletModel& message) {
   model.flat_fraction = message.flat_fraction;
   model.log_offset = message.log_offset;
   for (const Shapelet& shapelet : message.shapelets) {
-    model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation), shapelet.weight,
+    model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation),
                                FromList(shapelet.values)});
   }
   for (std::size_t index = 0; index < message.centroids.size(); ++index) {
@@ -123,7 +123,6 @@ ShapeletModel ToMessage(const core::Model& model, const ros::Time& time) {
     Shapelet entry;
     entry.scale = static_cast<std::uint32_t>(shapelet.scale);
     entry.dilation = static_cast<std::uint32_t>(shapelet.dilation);
-    entry.weight = shapelet.weight;
     entry.values = ToList(shapelet.values);
     message.shapelets.push_back(entry);
   }

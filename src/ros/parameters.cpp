@@ -154,7 +154,7 @@ core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   core::LearnerOptions& learner = options.learner;
   reader->Read("clusters", &options.clusters);
   reader->Read("kmeans_restarts", &options.kmeans_restarts);
-  reader->Read("scale_exponent", &options.scale_exponent);
+  reader->Read("vote_exponents", &options.vote_exponents);
   reader->Read("novelty_quantile", &options.novelty_quantile);
   reader->Read("novelty_margin", &options.novelty_margin);
   reader->Read("threads", &options.threads);

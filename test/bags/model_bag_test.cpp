@@ -20,8 +20,8 @@ core::Model Trained(const std::string& id = "model_1") {
   model.sample_period = 0.01;
   model.flat_fraction = 0.3;
   model.log_offset = 0.05;
-  model.shapelets = {{0, 1, 1.0F, Eigen::Vector3f(-1.224F, 1.0e-8F, 1.224F)},
-                     {2, 3, 0.3F, Eigen::Vector4f(1.0F, -1.0F, 1.0F, -1.0F)}};
+  model.shapelets = {{0, 1, Eigen::Vector3f(-1.224F, 1.0e-8F, 1.224F)},
+                     {2, 3, Eigen::Vector4f(1.0F, -1.0F, 1.0F, -1.0F)}};
   model.clusters = {{Eigen::Vector2f(0.1F, -0.2F), 1.7F, 12, ""},
                     {Eigen::Vector2f(1.0F / 3.0F, 0.4F), 0.9F, 30, "already_on"}};
   model.provenance = {{"one.bag", "two.bag"}, "contrastive", {0.1, 1.0 / 3.0}, 0xFFFFFFFFFFFFFFFFULL, 42, 2.17};
@@ -52,7 +52,6 @@ TEST_F(ModelBagTest, ASavedModelIsLoadedToTheLastBit) {
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(loaded.shapelets[k].scale, model.shapelets[k].scale);
     EXPECT_EQ(loaded.shapelets[k].dilation, model.shapelets[k].dilation);
-    EXPECT_EQ(loaded.shapelets[k].weight, model.shapelets[k].weight);
     EXPECT_EQ(loaded.shapelets[k].values, model.shapelets[k].values);
   }
   ASSERT_EQ(loaded.clusters.size(), 2U);

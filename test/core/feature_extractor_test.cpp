@@ -148,7 +148,7 @@ TEST(FeatureExtractor, DistancesDoNotDependOnTheScaleAndOffsetOfTheForce) {
 TEST(FeatureExtractor, RefusesFaultyInput) {
   Random random(8);
   EXPECT_THROW(FeatureExtractor({}, 0.0), std::invalid_argument);
-  EXPECT_THROW(FeatureExtractor({{0, 1, 1.0F, Eigen::VectorXf::Ones(1)}}, 0.0), std::invalid_argument);
+  EXPECT_THROW(FeatureExtractor({{0, 1, Eigen::VectorXf::Ones(1)}}, 0.0), std::invalid_argument);
   EXPECT_THROW(FeatureExtractor({Pattern(Walk(9, &random), 0)}, 0.0), std::invalid_argument);
   const FeatureExtractor extractor({Pattern(Walk(9, &random))}, 0.0);
   EXPECT_THROW(extractor.Compute(Eigen::VectorXf(0)), std::invalid_argument);

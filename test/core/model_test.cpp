@@ -11,7 +11,7 @@ namespace {
 Model Valid() {
   Model model;
   model.sample_period = 0.01;
-  model.shapelets = {{0, 1, 1.0F, Eigen::Vector3f(-1.2F, 0.0F, 1.2F)}, {1, 2, 0.5F, Eigen::Vector2f(1.0F, -1.0F)}};
+  model.shapelets = {{0, 1, Eigen::Vector3f(-1.2F, 0.0F, 1.2F)}, {1, 2, Eigen::Vector2f(1.0F, -1.0F)}};
   model.clusters = {{Eigen::Vector2f(0.1F, 0.2F), 1.0F, 5, ""}, {Eigen::Vector2f(0.3F, 0.4F), 2.0F, 7, "switched"}};
   return model;
 }
@@ -26,7 +26,6 @@ TEST(Model, ListsEveryFaultAtOnce) {
   model.shapelets[0].values = Eigen::VectorXf::Ones(1);
   model.shapelets[1].values[0] = std::numeric_limits<float>::quiet_NaN();
   model.shapelets[0].dilation = 0;
-  model.shapelets[1].weight = 0.0F;
   model.clusters[0].centroid = Eigen::Vector3f::Zero();
   model.clusters[0].novelty_limit = -1.0F;
   model.clusters[1].centroid[1] = std::numeric_limits<float>::infinity();
@@ -37,7 +36,6 @@ TEST(Model, ListsEveryFaultAtOnce) {
             "shapelet 0 has fewer than 2 values\n"
             "shapelet 0 has a dilation below 1\n"
             "shapelet 1 holds a value that is not finite\n"
-            "shapelet 1 has a weight that is not above 0\n"
             "cluster 0 has 3 features, but there are 2 shapelets\n"
             "cluster 0 has a novelty limit that is not above 0\n"
             "cluster 1 holds a value that is not finite\n");
@@ -61,25 +59,22 @@ TEST(Model, RefusesNanAndInfinityWhereverANumberIsExpected) {
     model = Valid();
     model.log_offset = value;
     EXPECT_NE(model.Faults(), "");
-    model = Valid();
-    model.shapelets[0].weight = static_cast<float>(value);
-    EXPECT_NE(model.Faults(), "");
   }
   Model model = Valid();
   model.clusters[0].novelty_limit = std::numeric_limits<float>::quiet_NaN();
   EXPECT_NE(model.Faults(), "");
 }
 
-TEST(Model, FeaturesAreWeightedLogarithmsOfTheDistances) {
+TEST(Model, FeaturesAreLogarithmsOfTheDistances) {
   Model model = Valid();
   model.log_offset = 0.05;
   Eigen::MatrixXf distances(2, 2);
   distances << 0.0F, 0.5F, -1e-7F, 2.0F;
   const Eigen::MatrixXf features = model.Features(distances);
   EXPECT_NEAR(features(0, 0), std::log(0.05), 1e-5);
-  EXPECT_NEAR(features(0, 1), 0.5 * std::log(0.55), 1e-5);
+  EXPECT_NEAR(features(0, 1), std::log(0.55), 1e-5);
   EXPECT_NEAR(features(1, 0), std::log(0.05), 1e-5);
-  EXPECT_NEAR(features(1, 1), 0.5 * std::log(2.05), 1e-5);
+  EXPECT_NEAR(features(1, 1), std::log(2.05), 1e-5);
 }
 
 TEST(Model, EventsAreLabelsAndNumbersWhereNobodyNamedThem) {

@@ -14,7 +14,6 @@ namespace contact_shapelets::core {
 struct Shapelet {
   int scale = 0;           ///< index of the scale (bank) it was learned at
   int dilation = 1;        ///< samples between two of its values, at least 1
-  float weight = 1.0F;     ///< factor on its feature, above 0
   Eigen::VectorXf values;  ///< z-normalised
 };
 
@@ -46,8 +45,7 @@ struct Model {
   std::vector<Cluster> clusters;
   Provenance provenance;
 
-  /// The features that clusters are formed on: weight * log(max(F, 0) + log_offset), for distances F [N, K], one series
-  /// per row.
+  /// The features that clusters are formed on: log(max(F, 0) + log_offset), for distances F, one series per row.
   Eigen::MatrixXf Features(const Eigen::Ref<const Eigen::MatrixXf>& distances) const;
 
   /// The event that `cluster` stands for: its label, or "cluster_<index>" while it has none, or "unknown" for -1.

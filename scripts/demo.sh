@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# From nothing to a live diagnosis: installs what is missing, builds, trains on the recorded bags, replays pushes through the
+# nodes, prints one line per push, and writes a report. Stops all that it started. Exits 0 where every push was diagnosed right.
+set -euo pipefail
+
+scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+bags=$(dirname "$scripts")/bags
+"$scripts/install_dependencies.sh"
+echo "Building (the first time takes some minutes)" >&2
+setup=$("$scripts/build.sh")
+output=$(dirname "$(dirname "$setup")")/demo
+mkdir -p "$output"
+
+export PATH=/usr/bin:$PATH
+set +u
+. "$setup"
+set -u
+
+echo "Training on $bags/switch_push_train.bag"
+rosrun contact_shapelets shapelets train "$bags/switch_push_train.bag" --clusters 3 --model "$output/model.bag"
+echo
+echo "Test on pushes that the training has not seen"
+rosrun contact_shapelets shapelets classify "$bags/switch_push_test.bag" --model "$output/model.bag" \
+  --csv "$output/test.csv" | tail -n 1
+rosrun contact_shapelets shapelets report "$output/model.bag" "$bags/switch_push_test.bag" --out "$output/report" >/dev/null
+
+# A roscore of its own on a free port: one that may be running already stays undisturbed.
+port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
+export ROS_MASTER_URI=http://localhost:$port ROS_IP=127.0.0.1 ROS_LOG_DIR=$output/log
+unset ROS_HOSTNAME
+started=()
+stop_all() {
+  for ((index = ${#started[@]} - 1; index >= 0; --index)); do
+    kill -INT "${started[index]}" 2>/dev/null || true
+    wait "${started[index]}" 2>/dev/null || true
+  done
+}
+trap stop_all EXIT
+
+# Job control gives each its own process group, without which a background process ignores an interrupt.
+set -m
+roscore -p "$port" >"$output/roscore.log" 2>&1 &
+started+=($!)
+until rosparam list >/dev/null 2>&1; do
+  kill -0 "${started[0]}" 2>/dev/null || { tail "$output/roscore.log" >&2; exit 1; }
+  sleep 0.1
+done
+
+echo
+echo "Replaying $bags/switch_push_raw.bag at four times its speed through the nodes"
+roslaunch contact_shapelets replay.launch bag:="$bags/switch_push_raw.bag" model:="$output/model.bag" rate:=4 \
+  topics:="/episode_active /episode_event /outcome" >"$output/replay.log" 2>&1 &
+started+=($!)
+status=0
+rosrun contact_shapelets watch_diagnoses.py --episodes 12 --timeout 120 || status=$?
+[ "$status" -ne 2 ] || tail -n 20 "$output/replay.log" >&2
+
+echo "Model, report, and logs are in $output"
+exit "$status"

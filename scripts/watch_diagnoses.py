@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""Prints one line per diagnosed episode: the outcome given, the event diagnosed, the confidence, and how long after its last
+sample the diagnosis came. Ends after a number of episodes with a summary; exits 1 where an outcome was diagnosed as another event,
+2 where the episodes did not come in time."""
+
+import argparse
+import bisect
+import statistics
+import sys
+import threading
+import time
+
+import rospy
+from contact_shapelets.msg import Diagnosis, Episode
+from geometry_msgs.msg import WrenchStamped
+from std_msgs.msg import String
+
+
+class DiagnosisWatch:
+    """Joins what arrives on the topics of one cell."""
+
+    def __init__(self, unknown_outcomes):
+        self._changed = threading.Condition()
+        self._unknown_outcomes = unknown_outcomes
+        self._stamps = []
+        self._arrivals = []
+        self._ends = {}
+        self._diagnoses = []
+        self._outcomes = []
+        self.latencies = []
+        self.right = 0
+        self._subscribers = [
+            rospy.Subscriber("wrench", WrenchStamped, self._on_wrench, queue_size=1000, tcp_nodelay=True),
+            rospy.Subscriber("episode", Episode, self._on_episode, queue_size=100, tcp_nodelay=True),
+            rospy.Subscriber("diagnosis", Diagnosis, self._on_diagnosis, queue_size=100, tcp_nodelay=True),
+            rospy.Subscriber("outcome", String, self._on_outcome, queue_size=100, tcp_nodelay=True),
+        ]
+
+    def _on_wrench(self, message):
+        with self._changed:
+            self._arrivals.append(time.monotonic())
+            self._stamps.append(message.header.stamp.to_sec())
+
+    def _on_episode(self, message):
+        with self._changed:
+            last = (len(message.force) - 1) * message.sample_period
+            self._ends[message.episode_id] = message.header.stamp.to_sec() + last
+            self._changed.notify_all()
+
+    def _on_diagnosis(self, message):
+        if message.final:
+            with self._changed:
+                self._diagnoses.append((time.monotonic(), message))
+                self._changed.notify_all()
+
+    def _on_outcome(self, message):
+        with self._changed:
+            self._outcomes.append(message.data)
+            self._changed.notify_all()
+
+    def _latency(self, arrived, episode_id):
+        """Time from the arrival of the episode's last sample to `arrived` [s]."""
+        last = bisect.bisect_right(self._stamps, self._ends[episode_id] + 1e-6) - 1
+        return arrived - self._arrivals[max(last, 0)]
+
+    def wait_for(self, index, deadline):
+        """Waits for the episode with this index and prints its line. Returns False where it did not come."""
+        with self._changed:
+            def complete():
+                return (min(len(self._diagnoses), len(self._outcomes)) > index
+                        and self._diagnoses[index][1].episode_id in self._ends)
+
+            while not complete():
+                if rospy.is_shutdown() or time.monotonic() > deadline:
+                    return False
+                self._changed.wait(0.2)
+            arrived, diagnosis = self._diagnoses[index]
+            outcome = self._outcomes[index]
+            self.latencies.append(1e3 * self._latency(arrived, diagnosis.episode_id))
+            expected = "unknown" if outcome in self._unknown_outcomes else outcome
+            self.right += diagnosis.event == expected
+            print(f"{index + 1:3d}  outcome {outcome:12s} diagnosed {diagnosis.event:12s} "
+                  f"confidence {diagnosis.confidence:4.2f}  {self.latencies[-1]:5.1f} ms after the last sample", flush=True)
+            return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--episodes", type=int, default=12, help="how many to wait for")
+    parser.add_argument("--timeout", type=float, default=120.0, help="seconds to wait for all of them")
+    parser.add_argument("--unknown", nargs="*", default=[], help="outcomes that the model has not seen: 'unknown' is right")
+    arguments = parser.parse_args(rospy.myargv()[1:])
+    rospy.init_node("watch_diagnoses", anonymous=True, disable_signals=True)
+    watch = DiagnosisWatch(set(arguments.unknown))
+    deadline = time.monotonic() + arguments.timeout
+    seen = 0
+    while seen < arguments.episodes and watch.wait_for(seen, deadline):
+        seen += 1
+    if seen:
+        print(f"{watch.right} of {seen} episodes diagnosed as they went; diagnosis {statistics.median(watch.latencies):.1f} ms "
+              f"(median) and {max(watch.latencies):.1f} ms (most) after the last sample")
+    if seen < arguments.episodes:
+        print(f"only {seen} of {arguments.episodes} episodes came within {arguments.timeout:g} s", file=sys.stderr)
+        return 2
+    return 0 if watch.right == seen else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
