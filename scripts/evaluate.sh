@@ -52,7 +52,7 @@ ablation one_scale "scales: [0.4]"
 ablation no_flat_gate "flat_fraction: 0.0"
 ablation length_by_l1 "sparsity: 0.1"
 ablation no_diversity "diversity: 0.0"
-ablation no_scale_weights "scale_exponent: 0.0"
+ablation no_vote "vote_exponents: []"
 ablation no_training "steps: 0"
 
 /usr/bin/python3 "$scripts/evaluation_tables.py" "$results" "$package/docs/evaluation.md"

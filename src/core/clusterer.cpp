@@ -38,11 +38,7 @@ class RawClusterer : public FeatureClusterer {
   int length_ = 0;
 };
 
-TrainingResult TrainOnSeries(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed,
-                             TrainerOptions options) {
-  options.clusters = clusters;
-  options.seed = seed;
-  options.threads = 1;
+TrainingResult TrainOnSeries(const std::vector<Eigen::VectorXf>& train, const TrainerOptions& options) {
   std::vector<Episode> episodes(train.size());
   for (std::size_t index = 0; index < train.size(); ++index) {
     episodes[index].id = std::to_string(index);
@@ -52,8 +48,9 @@ TrainingResult TrainOnSeries(const std::vector<Eigen::VectorXf>& train, int clus
   return TrainModel(episodes, options);
 }
 
-Eigen::MatrixXf Distances(const Model& model, const std::vector<Eigen::VectorXf>& series) {
-  const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
+Eigen::MatrixXf Distances(const std::vector<Shapelet>& shapelets, double flat_fraction,
+                          const std::vector<Eigen::VectorXf>& series) {
+  const FeatureExtractor extractor(shapelets, flat_fraction);
   Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
   for (std::size_t index = 0; index < series.size(); ++index) {
     distances.row(static_cast<Eigen::Index>(index)) = extractor.Compute(series[index]).distances.transpose();
@@ -61,54 +58,67 @@ Eigen::MatrixXf Distances(const Model& model, const std::vector<Eigen::VectorXf>
   return distances;
 }
 
-/// The trainer and classifier of this package.
+/// The trainer and classifier of this package. Features are the distances to the start shapelets, which only vote, and to the
+/// learned ones, side by side.
 class StneClusterer : public Clusterer {
  public:
   explicit StneClusterer(const TrainerOptions& options) : options_(options) {}
 
   Eigen::VectorXi Fit(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) override {
-    TrainingResult result = TrainOnSeries(train, clusters, seed, options_);
-    model_ = std::move(result.model);
-    return result.labels;
+    options_.clusters = clusters;
+    options_.seed = seed;
+    options_.threads = 1;
+    result_ = TrainOnSeries(train, options_);
+    return result_.labels;
   }
 
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
-    return model_.Features(Distances(model_, series));
+    const Model& model = result_.model;
+    Eigen::MatrixXf features(series.size(), result_.start_shapelets.size() + model.shapelets.size());
+    features << Distances(result_.start_shapelets, model.flat_fraction, series),
+        Distances(model.shapelets, model.flat_fraction, series);
+    return features;
   }
 
   Eigen::VectorXi Assign(const Eigen::Ref<const Eigen::MatrixXf>& features) const override {
-    Eigen::MatrixXf centroids(model_.clusters.size(), features.cols());
-    for (std::size_t index = 0; index < model_.clusters.size(); ++index) {
-      centroids.row(static_cast<Eigen::Index>(index)) = model_.clusters[index].centroid.transpose();
+    const Model& model = result_.model;
+    Eigen::MatrixXf centroids(model.clusters.size(), model.shapelets.size());
+    for (std::size_t index = 0; index < model.clusters.size(); ++index) {
+      centroids.row(static_cast<Eigen::Index>(index)) = model.clusters[index].centroid.transpose();
     }
-    return NearestCentroids(centroids, features);
+    return NearestCentroids(centroids, model.Features(features.rightCols(centroids.cols())));
   }
 
   Eigen::VectorXi ClusterAnew(const Eigen::Ref<const Eigen::MatrixXf>& features) const override {
-    return SharedKMeans(features, static_cast<int>(model_.clusters.size()), model_.provenance.seed).labels;
+    const auto start = static_cast<Eigen::Index>(result_.start_shapelets.size());
+    return VotedLabels(result_, features.leftCols(start), features.rightCols(features.cols() - start), options_);
   }
 
  private:
   TrainerOptions options_;
-  Model model_;
+  TrainingResult result_;
 };
 
 /// The paper's method: one scale, attraction alone, every window, length by the L1 norm, K-means on the distances.
 class PaperClusterer : public FeatureClusterer {
  public:
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
-    return Distances(model_, series);
+    return Distances(model_.shapelets, model_.flat_fraction, series);
   }
 
  protected:
   void Learn(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) override {
     TrainerOptions options;
+    options.clusters = clusters;
+    options.seed = seed;
+    options.threads = 1;
+    options.vote_exponents.clear();
     options.learner.objective = Objective::kPaper;
     options.learner.scales = {0.4};
     options.learner.flat_fraction = 0.0;
     options.learner.sparsity = 0.1;
     options.learner.steps = 40;
-    model_ = TrainOnSeries(train, clusters, seed, options).model;
+    model_ = TrainOnSeries(train, options).model;
   }
 
  private:
