@@ -174,7 +174,8 @@ std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, con
 /// What is wrong with the name of a method; empty where nothing is.
 std::string MethodName(const std::string& name) {
   try {
-    core::MakeClusterer(name, core::TrainerOptions{});
+    const core::TrainerOptions defaults;
+    core::MakeClusterer(name, defaults);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

@@ -49,7 +49,7 @@ Model ThreePatterns() {
   for (int pattern = 0; pattern < 3; ++pattern) {
     Eigen::VectorXf values(kLength);
     for (int m = 0; m < kLength; ++m) values[m] = static_cast<float>(Shape(pattern, (m + 0.5) / kLength));
-    model.shapelets.push_back({0, 1, 1.0F, ZNormalised(values)});
+    model.shapelets.push_back({0, 1, ZNormalised(values)});
   }
   const FeatureExtractor extractor(model.shapelets, model.flat_fraction);
   for (int pattern = 0; pattern < 3; ++pattern) {

@@ -8,6 +8,11 @@
 namespace contact_shapelets::core {
 namespace {
 
+const TrainerOptions& Defaults() {
+  static const TrainerOptions options;
+  return options;
+}
+
 /// Features that are the class itself, known from the first value of a series.
 class PerfectClusterer : public FeatureClusterer {
  public:
@@ -85,7 +90,7 @@ TEST(Evaluate, GivesPerfectFeaturesARandIndexOfOneInAllThreeScores) {
 
 TEST(Evaluate, ZNormalisesSeries) {
   // Peaks of any height are one shape once they are z-normalised.
-  const std::unique_ptr<Clusterer> kmeans = MakeClusterer("kmeans", TrainerOptions{});
+  const std::unique_ptr<Clusterer> kmeans = MakeClusterer("kmeans", Defaults());
   EXPECT_EQ(Evaluate(Peaks(), "kmeans", 0, kmeans.get()).test.rand_index, 1.0);
 }
 
@@ -133,13 +138,13 @@ INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(ClustererNames(
 TEST(MakeClusterer, RefusesAMethodThatIsNotThereNamingThoseThatAre) {
   for (const std::string name : {"magic", "udfs_k", "udfs_k0", "udfs_k1234", "udfs_kx", "udfs_k-1"}) {
     try {
-      MakeClusterer(name, TrainerOptions{});
+      MakeClusterer(name, Defaults());
       FAIL() << name << " was accepted";
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("nn_stne_paper"), std::string::npos);
     }
   }
-  EXPECT_NE(MakeClusterer("udfs_k12", TrainerOptions{}), nullptr);
+  EXPECT_NE(MakeClusterer("udfs_k12", Defaults()), nullptr);
 }
 
 TEST(SplitByClass, HalvesEveryClassAndKeepsEverySeries) {

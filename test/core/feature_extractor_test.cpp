@@ -25,7 +25,7 @@ Eigen::VectorXf Walk(int length, Random* random) {
   return series;
 }
 
-Shapelet Pattern(const Eigen::VectorXf& values, int dilation = 1) { return {0, dilation, 1.0F, ZNormalised(values)}; }
+Shapelet Pattern(const Eigen::VectorXf& values, int dilation = 1) { return {0, dilation, ZNormalised(values)}; }
 
 double Deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
