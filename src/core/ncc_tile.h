@@ -25,7 +25,8 @@ struct FullArguments {
   const float* shapelets;  ///< of the group
   const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
   float* sums;
-  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]
+  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]; -1 where no window of a tile counts, and `sums`
+                   ///< are left out
   int length;
   int count;
   int stride;
@@ -59,7 +60,7 @@ struct PartialArguments {
   const float* spread;   ///< M sigma of that window; huge where a window does not count
   const float* scale;    ///< 1 / (M sigma) of that window; 0 where a window does not count
   const float* sums;     ///< full overlaps at position 0
-  const float* largest;  ///< full overlap by tile, interleaved
+  const float* largest;  ///< full overlap by tile, interleaved; -1 where a tile has none
   const Energies* energies;  ///< of the shapelets
   const Bounds* bounds;      ///< by tile
   int length;            ///< M

@@ -49,6 +49,12 @@ struct TileLoops {
     return largest;
   }
 
+  static bool AnyCounts(const float* scale) {
+    Vector sum = Load(scale);
+    for (int v = 1; v < Vectors; ++v) sum += Load(scale + v * Lanes);
+    return Largest(sum) > 0.0F;
+  }
+
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
     Vector most[kGroup] = {};
     Integers at[kGroup];
@@ -56,7 +62,11 @@ struct TileLoops {
     int numbers[Lanes];
     for (int lane = 0; lane < Lanes; ++lane) numbers[lane] = lane;
     const Integers lanes = Load<Integers>(numbers);
-    for (int position = 0; position < arguments.count; position += Lanes * Vectors) {
+    for (int position = 0; position < arguments.count; position += kPositions) {
+      if (!AnyCounts(arguments.scale + position)) {
+        for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
+        continue;
+      }
       Vector sum[kGroup][Vectors] = {};
       for (int m = 0; m < arguments.length; ++m) {
         const float* values = arguments.shapelets + kGroup * m;
@@ -103,7 +113,7 @@ struct TileLoops {
   };
 
   static bool HasFullOverlaps(const PartialArguments& arguments, int tile) {
-    return tile >= 0 && tile < arguments.full_tiles;
+    return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
   /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at most the
