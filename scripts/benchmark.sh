@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Measures the kernel, the training and the offline program, and prints one table. Each ratio's two sides are
+# measured in turn, in processor time, so that the machine's other load meets both alike.
+#   scripts/benchmark.sh [--json FILE] [--filter REGEX]
+set -euo pipefail
+
+package=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+json=
+filter=.
+while [ $# -gt 0 ]; do
+  case $1 in
+    --json) json=${2:?--json needs a file}; shift 2 ;;
+    --filter) filter=${2:?--filter needs a regular expression}; shift 2 ;;
+    *) echo "usage: $0 [--json FILE] [--filter REGEX]" >&2; exit 2 ;;
+  esac
+done
+
+setup=$("$package/scripts/build.sh")
+workspace=$(dirname "$(dirname "$setup")")
+programs=$workspace/devel/lib/contact_shapelets
+if [ ! -x "$programs/shapelets_benchmark" ]; then
+  echo "Google Benchmark is not installed (libbenchmark-dev): there is nothing to run" >&2
+  exit 1
+fi
+export PATH=/usr/bin:$PATH CONTACT_SHAPELETS_BAGS=$package/bags
+set +u
+. "$setup"
+set -u
+results=$(mktemp -d)
+trap 'rm -rf "$results"' EXIT
+"$programs/shapelets_benchmark" --benchmark_filter="$filter" --benchmark_out="$results/benchmark.json" \
+  --benchmark_out_format=json >&2
+/usr/bin/python3 "$package/scripts/benchmark_table.py" "$results/benchmark.json" --program "$programs/shapelets" \
+  --bags "$package/bags" --filter "$filter" ${json:+--json "$json"}
