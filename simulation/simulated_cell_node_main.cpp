@@ -1,0 +1,18 @@
+#include <ros/ros.h>
+
+#include <exception>
+
+#include "simulated_cell_node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "simulated_cell_node");
+  // The last handle that goes takes the log with it.
+  const ros::NodeHandle node_handle;
+  try {
+    contact_shapelets::simulation::SimulatedCellNode(node_handle, ros::NodeHandle("~")).Run();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}

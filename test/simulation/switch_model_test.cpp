@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cell_model.h"
+
+namespace contact_shapelets::simulation {
+namespace {
+
+constexpr int kLever = kArmJoints;  // index of the lever's degree of freedom, behind the arm's
+
+void PlaceLever(CellModel* cell, double angle) {
+  cell->data()->qpos[kLever] = angle;
+  mj_forward(cell->model(), cell->data());
+}
+
+double SpringEnergy(const CellModel& cell) {
+  const double stretch = cell.data()->ten_length[0] - cell.model()->tendon_lengthspring[0];
+  return 0.5 * cell.model()->tendon_stiffness[0] * stretch * stretch;
+}
+
+double LeverEnergy(const CellModel& cell) {
+  Eigen::Matrix<double, kArmJoints + 1, kArmJoints + 1> mass;
+  mj_fullM(cell.model(), mass.data(), cell.data()->qM);
+  const double speed = cell.data()->qvel[kLever];
+  return 0.5 * mass(kLever, kLever) * speed * speed + SpringEnergy(cell);
+}
+
+/// What the spring takes up from a stop to dead centre.
+double SpringBarrier(CellModel* cell) {
+  PlaceLever(cell, 0.0);
+  const double top = SpringEnergy(*cell);
+  PlaceLever(cell, -CellModel::kStop);
+  return top - SpringEnergy(*cell);
+}
+
+TEST(ArmModel, IsAsLongAsTheDataSheetSays) {
+  CellModel cell;
+  Eigen::Map<JointVector>(cell.data()->qpos).setZero();
+  mj_forward(cell.model(), cell.data());
+  EXPECT_NEAR(cell.Flange().position.z(), 0.340 + 0.400 + 0.400 + 0.126, 1e-9);
+  EXPECT_NEAR(cell.Flange().position.head<2>().norm(), 0.0, 1e-9);
+}
+
+TEST(ArmModel, HasTheTorqueLimitsOfTheDataSheet) {
+  const CellModel cell;
+  const JointErrors limits{176.0, 176.0, 110.0, 110.0, 110.0, 40.0, 40.0};
+  for (int joint = 0; joint < kArmJoints; ++joint) {
+    EXPECT_EQ(cell.model()->actuator_ctrlrange[2 * joint + 1], limits[static_cast<std::size_t>(joint)]);
+  }
+}
+
+TEST(OverCentreSpring, HasTheTorqueOverAngleThatWasDesigned) {
+  CellModel cell;
+  PushCondition condition;
+  condition.lever_force = 12.0;
+  cell.SetUp(condition);
+  const double greatest = CellModel::GreatestUnitSpringTorque();
+  for (double part = -1.0; part <= 1.0; part += 0.1) {
+    const double angle = part * CellModel::kStop;
+    PlaceLever(&cell, angle);
+    const double designed = 12.0 * CellModel::kLeverLength / greatest * CellModel::UnitSpringTorque(angle);
+    EXPECT_NEAR(cell.data()->qfrc_passive[kLever], designed, 1e-9) << "at " << angle << " rad";
+    EXPECT_NEAR(cell.SpringTorque(), designed, 1e-9) << "at " << angle << " rad";
+  }
+}
+
+TEST(OverCentreSpring, ResistsMostWithinTheTravelAndLeastAtDeadCentre) {
+  const double at_stop = CellModel::UnitSpringTorque(CellModel::kStop);
+  EXPECT_GT(at_stop, 0.0);
+  EXPECT_GT(CellModel::GreatestUnitSpringTorque(), 1.5 * at_stop);
+  EXPECT_EQ(CellModel::UnitSpringTorque(0.0), 0.0);
+}
+
+TEST(OverCentreSpring, KeepsItsEnergyOverACycleWithoutFriction) {
+  CellModel cell;
+  const double barrier = SpringBarrier(&cell);
+  cell.model()->opt.gravity[2] = 0.0;
+  cell.model()->jnt_limited[kLever] = 0;
+  cell.model()->dof_frictionloss[kLever] = 0.0;
+  cell.model()->dof_damping[kLever] = 0.0;
+  PlaceLever(&cell, -0.3);
+  cell.data()->qvel[kLever] = 90.0;  // enough for the way across dead centre
+  mj_forward(cell.model(), cell.data());
+  // A cycle is from one crossing of dead centre to the next in the same direction.
+  std::vector<double> energies;
+  while (energies.size() < 3) {
+    const double last = cell.LeverAngle();
+    mj_step(cell.model(), cell.data());
+    ASSERT_LT(cell.data()->time, 1.0) << "the lever does not swing";
+    if (last * cell.LeverAngle() > 0.0) continue;
+    mj_fwdPosition(cell.model(), cell.data());
+    energies.push_back(LeverEnergy(cell));
+  }
+  EXPECT_NEAR(energies[2], energies[0], 0.01 * barrier);
+}
+
+TEST(OverCentreSpring, GivesNoWorkAwayOverACycleWithStopsAndFriction) {
+  CellModel cell;
+  const double barrier = SpringBarrier(&cell);
+  cell.data()->qvel[kLever] = 0.0;
+  double work = 0.0;
+  for (const double way : {1.0, -1.0}) {
+    // As slow a hand as the spring allows, which lets go at dead centre.
+    for (double wanted = -1.0; wanted < 0.0; wanted += 0.0005) {
+      const double torque = 20.0 * (way * wanted * CellModel::kStop - cell.LeverAngle());
+      if (way * cell.LeverAngle() > 0.0) break;
+      cell.data()->qfrc_applied[kLever] = way * std::max(0.0, way * torque);
+      const double before = cell.LeverAngle();
+      mj_step(cell.model(), cell.data());
+      work += cell.data()->qfrc_applied[kLever] * (cell.LeverAngle() - before);
+    }
+    cell.data()->qfrc_applied[kLever] = 0.0;
+    for (int step = 0; step < 2000; ++step) mj_step(cell.model(), cell.data());
+    EXPECT_NEAR(way * cell.LeverAngle(), CellModel::kStop, 0.02) << "the lever did not snap over";
+  }
+  EXPECT_GT(work, -0.01 * barrier);
+  EXPECT_GT(work, barrier) << "both snaps end at a stop, which takes their energy";
+}
+
+}  // namespace
+}  // namespace contact_shapelets::simulation
