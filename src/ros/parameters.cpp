@@ -1,5 +1,7 @@
 #include "contact_shapelets/ros/parameters.h"
 
+#include <ros/console.h>
+
 #include <algorithm>
 
 namespace contact_shapelets {
@@ -51,27 +53,27 @@ void ParameterReader::AddTypeFault(const std::string& name, const std::string& e
 
 void ParameterReader::Read(const std::string& name, double* value) {
   if (const auto* found = Find(name, "a number", {XmlRpcValue::TypeInt, XmlRpcValue::TypeDouble})) {
-    *value = ToNumber(*found);
+    Replace(name, ToNumber(*found), value);
   }
 }
 
 void ParameterReader::Read(const std::string& name, int* value) {
   if (const auto* found = Find(name, "a whole number", {XmlRpcValue::TypeInt})) {
-    *value = static_cast<int>(ToNumber(*found));
+    Replace(name, static_cast<int>(ToNumber(*found)), value);
   }
 }
 
 void ParameterReader::Read(const std::string& name, bool* value) {
   if (const auto* found = Find(name, "true or false", {XmlRpcValue::TypeBoolean})) {
     XmlRpcValue copy = *found;
-    *value = static_cast<bool&>(copy);
+    Replace(name, static_cast<bool&>(copy), value);
   }
 }
 
 void ParameterReader::Read(const std::string& name, std::string* value) {
   if (const auto* found = Find(name, "a text", {XmlRpcValue::TypeString})) {
     XmlRpcValue copy = *found;
-    *value = static_cast<std::string&>(copy);
+    Replace(name, static_cast<std::string&>(copy), value);
   }
 }
 
@@ -91,7 +93,7 @@ void ParameterReader::Read(const std::string& name, std::vector<double>* value) 
     if (!IsNumber(item)) return AddTypeFault(name, "a list of numbers");
     numbers.push_back(ToNumber(item));
   }
-  *value = numbers;
+  Replace(name, numbers, value);
 }
 
 void ParameterReader::Read(const std::string& name, std::vector<std::string>* value) {
@@ -109,7 +111,7 @@ void ParameterReader::Read(const std::string& name, std::vector<std::string>* va
       words.push_back(static_cast<std::string&>(item));
     }
   }
-  *value = words;
+  Replace(name, words, value);
 }
 
 std::vector<std::string> ParameterReader::Unread() const {
@@ -118,6 +120,14 @@ std::vector<std::string> ParameterReader::Unread() const {
   XmlRpcValue tree = tree_;
   for (const auto& [name, ignored] : tree) {
     if (read_.count(name) == 0) names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> ParameterReader::Unset() const {
+  std::vector<std::string> names;
+  for (const std::string& name : read_) {
+    if (tree_.getType() != XmlRpcValue::TypeStruct || !tree_.hasMember(name)) names.push_back(name);
   }
   return names;
 }
@@ -146,6 +156,16 @@ core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
   reader->Read("pre_trigger", &options.pre_trigger);
   reader->Read("baseline_duration", &options.baseline_duration);
   reader->AddFaults(options.Faults());
+  return options;
+}
+
+EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
+  EpisodeOptions options;
+  options.segmentation = ReadSegmentationOptions(reader);
+  reader->Read("progress_rate", &options.progress_rate);
+  if (!(options.progress_rate >= 0.0 && options.progress_rate <= 100.0)) {
+    reader->AddFaults("progress_rate must be in [0, 100] Hz, but is " + std::to_string(options.progress_rate) + "\n");
+  }
   return options;
 }
 
@@ -181,6 +201,14 @@ ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
   reader->Read("early_minimum", &options.early_minimum);
   reader->AddFaults(options.Faults());
   return options;
+}
+
+void LogParameters(const ParameterReader& reader) {
+  for (const std::string& name : reader.Unread()) {
+    // The updater of diagnostics has parameters of its own.
+    if (name.rfind("diagnostic_", 0) != 0) ROS_WARN("~%s is not a parameter of this node", name.c_str());
+  }
+  for (const std::string& name : reader.Changed()) ROS_INFO("~%s is not at its default", name.c_str());
 }
 
 }  // namespace contact_shapelets

@@ -46,15 +46,28 @@ class ParameterReader {
   std::string Faults() const { return faults_.str(); }
   /// Names of parameters that are set, but that nothing read.
   std::vector<std::string> Unread() const;
+  /// Names of parameters that were read, but are not set, so that their defaults count.
+  std::vector<std::string> Unset() const;
+  /// Names of parameters whose value, as read, differs from the default that it replaced.
+  const std::set<std::string>& Changed() const { return changed_; }
 
  private:
+  template <typename Value>
+  void Replace(const std::string& name, const Value& found, Value* value);
   const XmlRpc::XmlRpcValue* Find(const std::string& name, const std::string& expected,
                                   std::initializer_list<XmlRpc::XmlRpcValue::Type> types);
   void AddTypeFault(const std::string& name, const std::string& expected);
 
   XmlRpc::XmlRpcValue tree_;
   std::set<std::string> read_;
+  std::set<std::string> changed_;
   std::ostringstream faults_;
+};
+
+/// What the episode node is told.
+struct EpisodeOptions {
+  core::SegmentationOptions segmentation;
+  double progress_rate = 20.0;  ///< [Hz] of episode_progress, [0, 100]; 0: never
 };
 
 /// What the classifier node is told.
@@ -69,24 +82,37 @@ struct ClassifierOptions {
 
 /// Parameters of the segmentation; faults are noted in `reader`.
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader);
+/// Parameters of the episode node, the segmentation's included; faults are noted in `reader`.
+EpisodeOptions ReadEpisodeOptions(ParameterReader* reader);
 /// Parameters of the trainer; faults are noted in `reader`.
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
 /// Parameters of the classifier node; faults are noted in `reader`.
 ClassifierOptions ReadClassifierOptions(ParameterReader* reader);
 
+/// Logs which parameters a node has that it does not know (as warnings) and which differ from their defaults.
+void LogParameters(const ParameterReader& reader);
+
+template <typename Value>
+void ParameterReader::Replace(const std::string& name, const Value& found, Value* value) {
+  if (!(found == *value)) changed_.insert(name);
+  *value = found;
+}
+
 template <typename Choice>
 void ParameterReader::Read(const std::string& name, const std::map<std::string, Choice>& choices, Choice* value) {
   std::string word;
+  std::string words;
+  for (const auto& [allowed, choice] : choices) {
+    if (choice == *value) word = allowed;
+    words += (words.empty() ? "" : ", ") + allowed;
+  }
   Read(name, &word);
-  if (word.empty()) return;
   const auto choice = choices.find(word);
   if (choice != choices.end()) {
     *value = choice->second;
-    return;
+  } else {
+    faults_ << name << " must be one of " << words << ", but is \"" << word << "\"\n";
   }
-  std::string words;
-  for (const auto& [allowed, ignored] : choices) words += (words.empty() ? "" : ", ") + allowed;
-  faults_ << name << " must be one of " << words << ", but is " << word << '\n';
 }
 
 }  // namespace contact_shapelets
