@@ -59,8 +59,9 @@ EpisodeSegmenter::EpisodeSegmenter(const SegmentationOptions& options)
     : options_(Checked(options)), contact_(options_), buffer_(BufferCapacity(options_)) {}
 
 void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
-  // A stream that paused for long ends the episode before its next sample counts.
-  AdvanceTo(std::max(now, sample.time));
+  // A stream that paused for long ends the episode before its next sample counts. It paused by its own times alone: the
+  // backlog of a busy machine arrives late, but whole.
+  if (!buffer_.empty()) EndIfPaused(buffer_.back().time, sample.time, now);
   buffer_.Add(sample);
   last_arrival_ = now;
   if (options_.segmentation == Segmentation::kContact) {
@@ -96,10 +97,13 @@ void EpisodeSegmenter::AddEdge(const EpisodeEdge& arrived, Nanoseconds now) {
 }
 
 void EpisodeSegmenter::AdvanceTo(Nanoseconds now) {
-  if (IsOpen() && !buffer_.empty() && last_arrival_ > 0 &&
-      now - std::max(last_arrival_, intervals_.back().open) > FromSeconds(options_.stream_timeout)) {
-    Close(std::max(buffer_.back().time, intervals_.back().open), EndReason::kStream, now);
-  }
+  if (!buffer_.empty() && last_arrival_ > 0) EndIfPaused(last_arrival_, now, now);
+  FinishReady(now);
+}
+
+void EpisodeSegmenter::EndIfPaused(Nanoseconds last, Nanoseconds next, Nanoseconds now) {
+  if (!IsOpen() || next - std::max(last, intervals_.back().open) <= FromSeconds(options_.stream_timeout)) return;
+  Close(std::max(buffer_.back().time, intervals_.back().open), EndReason::kStream, now);
   FinishReady(now);
 }
 
@@ -186,7 +190,10 @@ void EpisodeSegmenter::FinishReady(Nanoseconds now) {
   while (!intervals_.empty() && intervals_.front().closed) {
     const Interval& interval = intervals_.front();
     const bool all_there = !buffer_.empty() && buffer_.back().time >= interval.close;
-    if (!all_there && now < interval.deadline) return;
+    // While samples from before the edge arrive, more of them are on their way.
+    const Nanoseconds deadline = std::min(interval.deadline + FromSeconds(options_.stream_timeout),
+                                          std::max(interval.deadline, last_arrival_ + FromSeconds(options_.edge_wait)));
+    if (!all_there && now < deadline) return;
     Emit(interval);
     intervals_.pop_front();
   }

@@ -105,6 +105,7 @@ class EpisodeSegmenter {
   void CorrectOpening(const EpisodeEdge& edge);
   void Open(const EpisodeEdge& edge);
   void Close(Nanoseconds time, EndReason reason, Nanoseconds now);
+  void EndIfPaused(Nanoseconds last, Nanoseconds next, Nanoseconds now);
   void FinishReady(Nanoseconds now);
   void Emit(const Interval& interval);
   Eigen::Vector3d TareOf(const Interval& interval, const std::vector<WrenchSample>& samples) const;
