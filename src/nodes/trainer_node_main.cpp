@@ -1,9 +1,13 @@
 #include <ros/ros.h>
 
+#include <csignal>
+
 #include "contact_shapelets/ros/trainer_node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "trainer_node");
+  // ROS handles SIGINT alone; a training ends in good order on both.
+  std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });
   contact_shapelets::TrainerNode node{ros::NodeHandle(), ros::NodeHandle("~")};
   // Diagnostics and goals go on while a training at the start runs.
   ros::AsyncSpinner spinner(2);

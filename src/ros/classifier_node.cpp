@@ -2,11 +2,10 @@
 
 #include <std_msgs/String.h>
 
-#include <utility>
-
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/topics.h"
+#include "text.h"
 
 namespace contact_shapelets {
 
@@ -14,16 +13,7 @@ using diagnostic_msgs::DiagnosticStatus;
 
 ClassifierNode::ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle)
     : node_handle_(node_handle), private_node_handle_(private_node_handle) {
-  ParameterReader reader(private_node_handle_);
-  options_ = ReadClassifierOptions(&reader);
-  for (const std::string& name : reader.Unread()) ROS_WARN("~%s is not a parameter of this node", name.c_str());
-  if (!reader.Faults().empty()) {
-    fault_ = "parameters: " + reader.Faults();
-    ROS_ERROR("Parameters that are out of range have their defaults instead:\n%s", reader.Faults().c_str());
-    const std::string model = std::exchange(options_, ClassifierOptions{}).model;
-    options_.model = model;
-  }
-
+  ReadParameters();
   features_publisher_ = node_handle_.advertise<ShapeletFeatures>(topics::kFeatures, topics::kResultQueue);
   diagnosis_publisher_ = node_handle_.advertise<contact_shapelets::Diagnosis>(topics::kDiagnosis, topics::kResultQueue);
   event_publisher_ = node_handle_.advertise<std_msgs::String>(topics::kEvent, topics::kResultQueue);
@@ -44,34 +34,51 @@ ClassifierNode::ClassifierNode(const ros::NodeHandle& node_handle, const ros::No
                                                    [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
+void ClassifierNode::ReadParameters() {
+  ParameterReader reader(private_node_handle_);
+  options_ = ReadClassifierOptions(&reader);
+  LogParameters(reader);
+  parameter_faults_ = OneLine(reader.Faults());
+  options_.model = WholePath(options_.model);
+  if (parameter_faults_.empty()) return;
+  ROS_ERROR("Parameters out of range have their defaults instead: %s", parameter_faults_.c_str());
+  ClassifierOptions defaults;
+  defaults.model = options_.model;
+  options_ = defaults;
+}
+
 void ClassifierNode::LoadModelFile() {
   if (options_.model.empty()) return;
   try {
     classifier_ = std::make_unique<core::Classifier>(LoadModel(options_.model));
-    model_from_file_ = true;
     ROS_INFO("Model %s out of %s", classifier_->model().id.c_str(), options_.model.c_str());
   } catch (const std::exception& error) {
-    fault_ = error.what();
-    ROS_ERROR("%s", error.what());
+    model_fault_ = OneLine(error.what());
+    ROS_ERROR("%s", model_fault_.c_str());
   }
 }
 
 void ClassifierNode::OnModel(const ShapeletModel& message) {
+  // The trainer's latched model lacks the names that were given here since.
+  if (classifier_ && classifier_->model().id == message.model_id) return;
   try {
     classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
-    model_from_file_ = false;
-    fault_.clear();
+    model_fault_.clear();
     ROS_INFO("Model %s by topic", message.model_id.c_str());
   } catch (const std::exception& error) {
-    fault_ = std::string("a model by topic was refused: ") + error.what();
-    ROS_ERROR("%s", fault_.c_str());
+    model_fault_ = "a model by topic was refused: " + OneLine(error.what());
+    ROS_ERROR("%s", model_fault_.c_str());
   }
 }
 
-void ClassifierNode::OnEpisode(const Episode& message) { Diagnose(message, true); }
+void ClassifierNode::OnEpisode(const Episode& message) {
+  last_episode_ = message.episode_id;
+  Diagnose(message, true);
+}
 
 void ClassifierNode::OnProgress(const Episode& message) {
-  if (!classifier_) return;
+  // It travels on a connection of its own, and may arrive after the end of its episode.
+  if (!classifier_ || message.episode_id == last_episode_) return;
   const double duration = message.sample_period * static_cast<double>(message.force.size());
   if (duration < options_.early_minimum * classifier_->model().provenance.typical_duration) return;
   Diagnose(message, false);
@@ -93,10 +100,11 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
     event_publisher_.publish(event);
     features_publisher_.publish(FeaturesMessage(episode, model, result.features));
     ++diagnosed_;
+    episode_fault_.clear();
   } catch (const std::invalid_argument& error) {
     ++refused_;
-    fault_ = "episode " + message.episode_id + ": " + error.what();
-    ROS_ERROR("%s", fault_.c_str());
+    episode_fault_ = "episode " + message.episode_id + " is not diagnosed: " + OneLine(error.what());
+    ROS_ERROR_THROTTLE(1.0, "%s", episode_fault_.c_str());
   }
 }
 
@@ -104,26 +112,31 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
   try {
     if (!classifier_) throw std::runtime_error("there is no model");
     classifier_->NameCluster(request.cluster, request.label);
-    response.message = "cluster " + std::to_string(request.cluster) + " is " + request.label;
-    if (model_from_file_) {
-      SaveModel(options_.model, classifier_->model());
-      response.message += ", saved in " + options_.model;
-    } else {
-      response.message += ", not saved: the model came by topic";
-    }
+    response.message = "cluster " + std::to_string(request.cluster) + " is " + request.label + ", " + SaveNames();
     response.success = 1U;
   } catch (const std::exception& error) {
-    response.message = error.what();
-    ROS_ERROR("%s", error.what());
+    response.message = OneLine(error.what());
+    ROS_ERROR("%s", response.message.c_str());
   }
   return true;
 }
 
+std::string ClassifierNode::SaveNames() {
+  if (options_.model.empty()) return "not saved: the model came by topic, and ~model names no file";
+  // A training may have put another model there, which these names do not fit.
+  const std::string in_file = LoadModel(options_.model).id;
+  if (in_file != classifier_->model().id) return "not saved: " + options_.model + " holds another model, " + in_file;
+  SaveModel(options_.model, classifier_->model());
+  return "saved in " + options_.model;
+}
+
 void ClassifierNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  if (!classifier_) {
-    status.summary(DiagnosticStatus::ERROR, fault_.empty() ? "no model yet" : fault_);
-  } else if (!fault_.empty()) {
-    status.summary(DiagnosticStatus::WARN, fault_);
+  if (!parameter_faults_.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
+  } else if (!classifier_) {
+    status.summary(DiagnosticStatus::ERROR, model_fault_.empty() ? "no model yet" : model_fault_);
+  } else if (!model_fault_.empty() || !episode_fault_.empty()) {
+    status.summary(DiagnosticStatus::WARN, model_fault_.empty() ? episode_fault_ : model_fault_);
   } else {
     status.summary(DiagnosticStatus::OK, "model in use");
   }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contact_shapelets/core/trainer.h"
 #include "contact_shapelets/core/wrench_stream.h"
 #include "contact_shapelets/ros/action_edges.h"
 #include "contact_shapelets/ros/bag_topics.h"
@@ -226,6 +227,8 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
       if (progress && static_cast<int>(++taken) % 4096 == 0) progress(taken / total);
     }
     contents = reading.Finish();
+  } catch (const core::TrainingCancelled&) {
+    throw;
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

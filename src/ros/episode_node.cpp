@@ -1,18 +1,45 @@
 #include "contact_shapelets/ros/episode_node.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "contact_shapelets/ros/action_edges.h"
 #include "contact_shapelets/ros/conversions.h"
-#include "contact_shapelets/ros/parameters.h"
 #include "contact_shapelets/ros/topics.h"
+#include "text.h"
 
 namespace contact_shapelets {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
+/// A jump back of time by less is jitter.
+constexpr core::Nanoseconds kJumpBack = 500'000'000;
+/// Of the wait timer, without a wrench between them: fewer may be a busy machine's backlog.
+constexpr int kIdleTicks = 3;
+constexpr double kTick = 0.01;
+/// Diagnostics judge what happened within as many seconds.
+constexpr std::size_t kRecent = 10;
+
 core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
+
+/// What was counted from `before` to `now`: a fault that is over does not stay in the diagnostics for ever.
+core::StreamSummary Since(const core::StreamSummary& before, const core::StreamSummary& now) {
+  core::StreamSummary recent = now;
+  recent.samples -= before.samples;
+  recent.not_finite -= before.not_finite;
+  recent.out_of_order -= before.out_of_order;
+  recent.zero_stamps -= before.zero_stamps;
+  recent.wrong_stamps -= before.wrong_stamps;
+  recent.jumps_back -= before.jumps_back;
+  recent.repeated -= before.repeated;
+  recent.repeated_messages -= before.repeated_messages;
+  recent.gaps -= before.gaps;
+  recent.duration -= before.duration;
+  recent.rate = recent.duration > 0.0 ? recent.samples / recent.duration : 0.0;
+  if (recent.longest_frozen <= before.longest_frozen) recent.longest_frozen = 0.0;
+  return recent;
+}
 
 }  // namespace
 
@@ -29,17 +56,13 @@ EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHand
 
 void EpisodeNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
-  options_ = ReadSegmentationOptions(&reader);
-  reader.Read("progress_rate", &progress_rate_);
-  if (progress_rate_ < 0.0 || progress_rate_ > 100.0) {
-    reader.AddFaults("progress_rate must be in [0, 100] Hz, but is " + std::to_string(progress_rate_) + "\n");
-  }
-  for (const std::string& name : reader.Unread()) ROS_WARN("~%s is not a parameter of this node", name.c_str());
-  parameter_faults_ = reader.Faults();
+  options_ = ReadEpisodeOptions(&reader);
+  LogParameters(reader);
+  parameter_faults_ = OneLine(reader.Faults());
   if (parameter_faults_.empty()) {
-    stream_ = std::make_unique<core::WrenchStream>(options_);
+    stream_ = std::make_unique<core::WrenchStream>(options_.segmentation);
   } else {
-    ROS_ERROR("Episodes are not cut until these parameters are mended and the node is started again:\n%s",
+    ROS_ERROR("No episode is cut until these parameters are mended and the node is started again: %s",
               parameter_faults_.c_str());
   }
 }
@@ -57,23 +80,21 @@ void EpisodeNode::Subscribe() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
   wrench_subscriber_ =
       node_handle_.subscribe(topics::kWrench, topics::kWrenchQueue, &EpisodeNode::OnWrench, this, no_delay);
-  if (options_.segmentation == core::Segmentation::kTrigger) {
+  if (options_.segmentation.segmentation == core::Segmentation::kTrigger) {
     active_subscriber_ =
         node_handle_.subscribe(topics::kEpisodeActive, topics::kEdgeQueue, &EpisodeNode::OnActive, this, no_delay);
     event_subscriber_ =
         node_handle_.subscribe(topics::kEpisodeEvent, topics::kEdgeQueue, &EpisodeNode::OnEvent, this, no_delay);
   }
-  if (options_.segmentation == core::Segmentation::kAction) {
+  if (options_.segmentation.segmentation == core::Segmentation::kAction) {
     status_subscriber_ =
         node_handle_.subscribe(topics::kActionStatus, topics::kEdgeQueue, &EpisodeNode::OnStatus, this, no_delay);
   }
   // Only for waits that run out while no wrench arrives; whatever a wrench decides is published with it.
-  wait_timer_ = node_handle_.createWallTimer(ros::WallDuration(0.01), [this](const ros::WallTimerEvent&) {
-    stream_->AdvanceTo(Now());
-    PublishNews();
-  });
-  if (progress_rate_ > 0.0) {
-    progress_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0 / progress_rate_),
+  wait_timer_ = node_handle_.createWallTimer(ros::WallDuration(kTick),
+                                             [this](const ros::WallTimerEvent&) { LetTimePass(); });
+  if (options_.progress_rate > 0.0) {
+    progress_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0 / options_.progress_rate),
                                                    [this](const ros::WallTimerEvent&) { PublishProgress(); });
   }
 }
@@ -83,30 +104,61 @@ void EpisodeNode::OnWrench(const geometry_msgs::WrenchStamped& wrench) {
     frame_id_ = wrench.header.frame_id;
     stream_->segmenter().set_frame_id(frame_id_);
   }
-  if (!stream_->AddWrench(ToNanoseconds(wrench.header.stamp), Now(), ToVector(wrench.wrench.force))) {
+  const core::Nanoseconds stamp = ToNanoseconds(wrench.header.stamp);
+  // Simulated time is 0 until its first message, which may arrive after the first wrench.
+  const core::Nanoseconds arrival = Now() > 0 ? Now() : stamp;
+  if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
     ROS_WARN_THROTTLE(10.0, "Wrenches that are not finite or out of order are dropped; /diagnostics counts them");
   }
+  idle_ticks_ = 0;
+  last_arrival_ = arrival;
+  if (!early_edges_.empty()) AddEarlyEdges();
+  PublishNews();
+}
+
+void EpisodeNode::AddEdge(const std::function<void(core::Nanoseconds)>& add) {
+  const core::Nanoseconds arrival = Now();
+  if (arrival < last_arrival_ - kJumpBack) {
+    jumps_back_ = stream_->Summary().jumps_back;
+    early_edges_.emplace_back([add, arrival] { add(arrival); });
+    return;
+  }
+  early_edges_.clear();
+  add(arrival);
+  PublishNews();
+}
+
+void EpisodeNode::AddEarlyEdges() {
+  if (stream_->Summary().jumps_back == jumps_back_) return;
+  for (const std::function<void()>& add : early_edges_) add();
+  early_edges_.clear();
+}
+
+void EpisodeNode::LetTimePass() {
+  if (++idle_ticks_ < kIdleTicks) return;
+  stream_->AdvanceTo(Now());
   PublishNews();
 }
 
 void EpisodeNode::OnActive(const std_msgs::Bool& active) {
-  stream_->AddPlainEdge(active.data != 0, Now());
-  PublishNews();
+  AddEdge([this, open = active.data != 0](core::Nanoseconds arrival) { stream_->AddPlainEdge(open, arrival); });
 }
 
 void EpisodeNode::OnEvent(const ros::MessageEvent<EpisodeEvent const>& event) {
   if (event.getPublisherName() == ros::this_node::getName()) return;
-  const EpisodeEvent& message = *event.getConstMessage();
-  stream_->AddStampedEdge(message.kind == EpisodeEvent::OPEN, ToNanoseconds(message.header.stamp), message.episode_id,
-                          Now());
-  PublishNews();
+  AddEdge([this, message = event.getConstMessage()](core::Nanoseconds arrival) {
+    stream_->AddStampedEdge(message->kind == EpisodeEvent::OPEN, ToNanoseconds(message->header.stamp),
+                            message->episode_id, arrival);
+  });
 }
 
 void EpisodeNode::OnStatus(const actionlib_msgs::GoalStatusArray& status) {
   const bool active = AnyGoalActive(status);
-  if (active != action_active_) stream_->AddPlainEdge(active, TimeOfStatus(status, Now()));
+  if (active == action_active_) return;
   action_active_ = active;
-  PublishNews();
+  AddEdge([this, active, status](core::Nanoseconds arrival) {
+    stream_->AddPlainEdge(active, TimeOfStatus(status, arrival));
+  });
 }
 
 bool EpisodeNode::OnStart(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -137,7 +189,7 @@ bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
     const Eigen::Vector3d offset = stream_->segmenter().TareNow();
     std::ostringstream text;
     text << "offset [N]: " << offset.x() << ' ' << offset.y() << ' ' << offset.z();
-    if (options_.tare != core::TareSource::kService) text << " (not used: ~tare is not \"service\")";
+    if (options_.segmentation.tare != core::TareSource::kService) text << " (not used: ~tare is not \"service\")";
     response.success = 1U;
     response.message = text.str();
   } catch (const std::runtime_error& error) {
@@ -164,22 +216,29 @@ void EpisodeNode::PublishProgress() {
 
 void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (!stream_) {
-    status.summary(DiagnosticStatus::ERROR, "parameters are out of range");
-    status.add("faults", parameter_faults_);
+    status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
     return;
   }
   const core::StreamSummary summary = stream_->Summary();
-  const std::vector<std::string> findings = core::Findings(summary);
+  summaries_.push_back(summary);
+  if (summaries_.size() > kRecent + 1) summaries_.pop_front();
+  const core::StreamSummary recent = Since(summaries_.front(), summary);
+  const std::vector<std::string> findings = core::Findings(recent);
+  const double idle = kTick * idle_ticks_;
   if (summary.samples == 0) {
-    status.summary(DiagnosticStatus::WARN, "no wrench yet on " + wrench_subscriber_.getTopic());
+    status.summary(DiagnosticStatus::WARN, "no usable wrench yet on " + wrench_subscriber_.getTopic());
+  } else if (idle > options_.segmentation.stream_timeout) {
+    status.summaryf(DiagnosticStatus::ERROR, "no wrench for %.1f s", idle);
   } else if (findings.empty()) {
     status.summary(DiagnosticStatus::OK, "wrench arrives");
   } else {
     const bool frozen = findings.front().rfind("frozen", 0) == 0;
     status.summary(frozen ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, findings.front());
   }
-  for (std::size_t index = 0; index < findings.size(); ++index) status.add("finding " + std::to_string(index), findings[index]);
-  status.add("rate [Hz]", summary.rate);
+  for (std::size_t index = 0; index < findings.size(); ++index) {
+    status.add("finding " + std::to_string(index), findings[index]);
+  }
+  status.add("rate [Hz]", recent.rate);
   status.add("jitter [s]", summary.jitter);
   status.add("longest interval [s]", summary.longest_interval);
   status.add("clock offset [s]", summary.clock_offset);

@@ -5,13 +5,13 @@
 #include <rosbag/view.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 
 #include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/topics.h"
+#include "text.h"
 
 namespace contact_shapelets {
 namespace {
@@ -23,12 +23,6 @@ void Synchronise(const std::string& path) {
   const bool well = fsync(descriptor) == 0;
   close(descriptor);
   if (!well) throw std::runtime_error(path + ": cannot be written to the disk");
-}
-
-std::string OneLine(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::replace(text.begin(), text.end(), '\n', ';');
-  return text;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "contact_shapelets/ros/trainer_node.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -9,11 +10,15 @@
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/parameters.h"
 #include "contact_shapelets/ros/topics.h"
+#include "text.h"
 
 namespace contact_shapelets {
 namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
+
+/// Of the whole, in fractions of the progress: an estimate for bags of raw wrench.
+constexpr double kReadingPart = 0.1;
 
 /// Rand index of the clusters against the outcomes that are given; NaN where fewer than two are.
 float RandIndexOf(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels) {
@@ -50,48 +55,51 @@ TrainerNode::TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHand
 void TrainerNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
   options_ = ReadTrainerOptions(&reader);
-  reader_options_.segmentation = ReadSegmentationOptions(&reader);
+  reader_options_.segmentation = ReadEpisodeOptions(&reader).segmentation;
   std::string model;
   reader.Read("wrench_topic", &reader_options_.wrench_topic);
   reader.Read("model", &model);
   reader.Read("bags", &start_bags_);
   reader.Read("output", &start_output_);
-  for (const std::string& name : reader.Unread()) ROS_WARN("~%s is not a parameter of this node", name.c_str());
-  parameter_faults_ = reader.Faults();
+  LogParameters(reader);
+  parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {
-    ROS_ERROR("Nothing is trained until these parameters are mended and the node is started again:\n%s",
+    ROS_ERROR("Nothing is trained until these parameters are mended and the node is started again: %s",
               parameter_faults_.c_str());
     SetState(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
   }
-  if (model.empty()) return;
+  if (!model.empty()) PublishModelFile(WholePath(model));
+}
+
+void TrainerNode::PublishModelFile(const std::string& path) {
   try {
-    model_publisher_.publish(ToMessage(LoadModel(model), ros::Time::now()));
+    model_publisher_.publish(ToMessage(LoadModel(path), ros::Time::now()));
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());
-    SetState(DiagnosticStatus::ERROR, error.what());
+    SetState(DiagnosticStatus::ERROR, OneLine(error.what()));
   }
 }
 
-bool TrainerNode::TrainAtStart() {
-  if (start_bags_.empty() || start_output_.empty()) return true;
-  const TrainResult result = Train(start_bags_, start_output_, 0, [](const core::TrainingProgress& progress) {
+void TrainerNode::TrainAtStart() {
+  if (start_bags_.empty() && start_output_.empty()) return;
+  Train({start_bags_, start_output_, options_.clusters}, [](const core::TrainingProgress& progress) {
     ROS_INFO_THROTTLE(2.0, "Training: %.0f %%", 100.0 * progress.fraction_done);
     return ros::ok();
   });
-  return result.success != 0U;
 }
 
 void TrainerNode::OnGoal(const TrainGoalConstPtr& goal) {
-  const TrainResult result =
-      Train(goal->bags, goal->output, static_cast<int>(goal->clusters), [this](const core::TrainingProgress& progress) {
-        TrainFeedback feedback;
-        feedback.candidate = static_cast<std::uint32_t>(progress.candidate);
-        feedback.step = static_cast<std::uint32_t>(progress.step);
-        feedback.objective = static_cast<float>(progress.objective);
-        feedback.fraction_done = static_cast<float>(progress.fraction_done);
-        server_.publishFeedback(feedback);
-        return !server_.isPreemptRequested() && ros::ok();
-      });
+  const auto greatest = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
+  const int clusters = goal->clusters > 0 ? static_cast<int>(std::min(goal->clusters, greatest)) : options_.clusters;
+  const TrainResult result = Train({goal->bags, goal->output, clusters}, [this](const core::TrainingProgress& progress) {
+    TrainFeedback feedback;
+    feedback.candidate = static_cast<std::uint32_t>(progress.candidate);
+    feedback.step = static_cast<std::uint32_t>(progress.step);
+    feedback.objective = static_cast<float>(progress.objective);
+    feedback.fraction_done = static_cast<float>(progress.fraction_done);
+    server_.publishFeedback(feedback);
+    return !server_.isPreemptRequested() && ros::ok();
+  });
   if (result.success != 0U) {
     server_.setSucceeded(result, result.message);
   } else if (server_.isPreemptRequested()) {
@@ -101,37 +109,61 @@ void TrainerNode::OnGoal(const TrainGoalConstPtr& goal) {
   }
 }
 
-TrainResult TrainerNode::Train(const std::vector<std::string>& bags, const std::string& output, int clusters,
-                               const core::ProgressCallback& progress) {
+TrainResult TrainerNode::Train(const Task& task, const core::ProgressCallback& progress) {
   TrainResult result;
   result.rand_index = std::numeric_limits<float>::quiet_NaN();
+  const std::unique_lock<std::mutex> training(training_mutex_, std::try_to_lock);
+  if (!training.owns_lock()) {
+    result.message = "another training is under way";
+    return result;
+  }
   try {
-    if (!parameter_faults_.empty()) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
-    if (output.empty()) throw std::runtime_error("output: expected the path of the model to write, but it is empty");
-    SetState(DiagnosticStatus::OK, "training");
-    core::TrainerOptions options = options_;
-    if (clusters > 0) options.clusters = clusters;
-    const std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_);
-    core::TrainingResult training = core::TrainModel(episodes, options, progress);
-    training.model.provenance.sources = bags;
-    SaveModel(output, training.model);
-    model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
+    TrainAndSave(task, progress, &result);
     result.success = 1U;
-    result.model_id = training.model.id;
-    result.episodes = static_cast<std::uint32_t>(episodes.size());
-    result.rand_index = RandIndexOf(episodes, training.labels);
-    result.message = "trained on " + std::to_string(episodes.size()) + " episodes, saved in " + output;
     SetState(DiagnosticStatus::OK, result.message);
     ROS_INFO("%s", result.message.c_str());
   } catch (const core::TrainingCancelled& error) {
     result.message = error.what();
     SetState(DiagnosticStatus::OK, result.message);
+    ROS_INFO("%s", error.what());
   } catch (const std::exception& error) {
-    result.message = error.what();
+    result.message = OneLine(error.what());
     SetState(DiagnosticStatus::ERROR, result.message);
-    ROS_ERROR("%s", error.what());
+    ROS_ERROR("%s", result.message.c_str());
   }
   return result;
+}
+
+void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& progress, TrainResult* result) {
+  if (!parameter_faults_.empty()) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
+  if (task.output.empty()) throw std::runtime_error("output: expected the path of the model to write, but it is empty");
+  SetState(DiagnosticStatus::OK, "training");
+  const auto go_on = [&progress](const core::TrainingProgress& state) {
+    if (!progress(state)) throw core::TrainingCancelled();
+  };
+  std::vector<std::string> bags;
+  for (const std::string& bag : task.bags) bags.push_back(WholePath(bag));
+  const std::vector<core::Episode> episodes = ReadAllEpisodes(
+      bags, reader_options_, [&go_on](double done) { go_on({0, 0, 0.0, kReadingPart * done}); });
+
+  core::TrainerOptions options = options_;
+  options.clusters = task.clusters;
+  core::TrainingProgress last;
+  core::TrainingResult training =
+      core::TrainModel(episodes, options, [&progress, &last](const core::TrainingProgress& state) {
+        last = state;
+        last.fraction_done = kReadingPart + (1.0 - kReadingPart) * state.fraction_done;
+        return progress(last);
+      });
+  go_on(last);
+  training.model.provenance.sources = bags;
+  const std::string output = WholePath(task.output);
+  SaveModel(output, training.model);
+  model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
+  result->model_id = training.model.id;
+  result->episodes = static_cast<std::uint32_t>(episodes.size());
+  result->rand_index = RandIndexOf(episodes, training.labels);
+  result->message = "trained on " + std::to_string(episodes.size()) + " episodes, saved in " + output;
 }
 
 void TrainerNode::SetState(int level, const std::string& text) {

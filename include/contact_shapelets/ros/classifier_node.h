@@ -14,7 +14,8 @@
 
 namespace contact_shapelets {
 
-/// Diagnoses the episodes of one robot by a model from a file or a topic.
+/// Diagnoses the episodes of one robot by a model from a file or a topic. Its callbacks share state without a lock: they
+/// need a queue that one thread serves.
 class ClassifierNode {
  public:
   /// Reads parameters from `private_node_handle` and loads the model. Where one of them is faulty, this is logged and reported
@@ -22,20 +23,24 @@ class ClassifierNode {
   ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
  private:
+  void ReadParameters();
   void LoadModelFile();
   void OnModel(const ShapeletModel& message);
   void OnEpisode(const Episode& message);
   void OnProgress(const Episode& message);
   void Diagnose(const Episode& message, bool final);
   bool OnNameCluster(NameCluster::Request& request, NameCluster::Response& response);
+  std::string SaveNames();
   void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_handle_;
   ros::NodeHandle private_node_handle_;
   ClassifierOptions options_;
   std::unique_ptr<core::Classifier> classifier_;  ///< none until there is a model
-  bool model_from_file_ = false;
-  std::string fault_;  ///< why there is no model, or what was wrong with the last episode or model
+  std::string last_episode_;      ///< id of the last one that ended
+  std::string parameter_faults_;
+  std::string model_fault_;    ///< why there is no model, or why the last one was refused
+  std::string episode_fault_;  ///< why the last episode was refused; empty where it was not
   int diagnosed_ = 0;
   int refused_ = 0;
 

@@ -26,7 +26,7 @@ struct BagContents {
   int dropped_episodes = 0;             ///< too short, or without a sample
 };
 
-/// Called with the part of the bag that was read, [0, 1].
+/// Called with the part of the bag that was read, [0, 1]. It may throw core::TrainingCancelled, which passes through.
 using ReadProgress = std::function<void(double)>;
 
 /// Reads the episodes of one bag as a stream: Episode messages where it has some, else raw wrench with its triggers.

@@ -8,14 +8,19 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 
+#include <deque>
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "contact_shapelets/core/wrench_stream.h"
+#include "contact_shapelets/ros/parameters.h"
 
 namespace contact_shapelets {
 
-/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream.
+/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share state
+/// without a lock: they need a queue that one thread serves.
 class EpisodeNode {
  public:
   /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A parameter
@@ -36,19 +41,26 @@ class EpisodeNode {
   bool OnTare(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnCommand(bool open, std_srvs::Trigger::Response* response);
 
+  void AddEdge(const std::function<void(core::Nanoseconds)>& add);
+  void AddEarlyEdges();
+  void LetTimePass();
   void PublishNews();
   void PublishProgress();
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_handle_;
   ros::NodeHandle private_node_handle_;
-  core::SegmentationOptions options_;
-  double progress_rate_ = 20.0;
+  EpisodeOptions options_;
   std::string parameter_faults_;
   std::unique_ptr<core::WrenchStream> stream_;  ///< none while parameters are wrong
   std::string frame_id_;
   bool action_active_ = false;
   int published_episodes_ = 0;
+  int idle_ticks_ = 0;  ///< of the wait timer since the last wrench
+  core::Nanoseconds last_arrival_ = 0;
+  int jumps_back_ = 0;
+  std::deque<core::StreamSummary> summaries_;  ///< of the last diagnostics
+  std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
 
   ros::Publisher episode_publisher_;
   ros::Publisher progress_publisher_;

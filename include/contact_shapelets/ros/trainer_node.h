@@ -21,16 +21,24 @@ class TrainerNode {
   /// reported in /diagnostics; the node stays up and refuses goals while parameters are faulty.
   TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
-  /// Trains once where ~bags and ~output are given; returns whether nothing failed.
-  bool TrainAtStart();
+  /// Trains once where ~bags and ~output are given. Returns when that is done, failed, or ROS shuts down.
+  void TrainAtStart();
 
  private:
   using Server = actionlib::SimpleActionServer<TrainAction>;
 
+  /// One training.
+  struct Task {
+    std::vector<std::string> bags;
+    std::string output;
+    int clusters = 0;
+  };
+
   void ReadParameters();
+  void PublishModelFile(const std::string& path);
   void OnGoal(const TrainGoalConstPtr& goal);
-  TrainResult Train(const std::vector<std::string>& bags, const std::string& output, int clusters,
-                    const core::ProgressCallback& progress);
+  TrainResult Train(const Task& task, const core::ProgressCallback& progress);
+  void TrainAndSave(const Task& task, const core::ProgressCallback& progress, TrainResult* result);
   void SetState(int level, const std::string& text);
   void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
@@ -42,7 +50,8 @@ class TrainerNode {
   std::string start_output_;
   std::string parameter_faults_;
 
-  std::mutex state_mutex_;  ///< goals run in the action server's own thread
+  std::mutex training_mutex_;  ///< one training at a time
+  std::mutex state_mutex_;     ///< goals run in the action server's own thread
   int state_level_ = 0;
   std::string state_text_ = "idle";
 
