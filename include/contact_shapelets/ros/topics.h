@@ -19,6 +19,9 @@ constexpr char kModel[] = "model";
 constexpr char kFeatures[] = "features";
 constexpr char kDiagnosis[] = "diagnosis";
 constexpr char kEvent[] = "event";
+/// Of the wrench adapter: what the driver has in place of `wrench`.
+constexpr char kDriverMessage[] = "driver_message";
+constexpr char kJointStates[] = "joint_states";
 
 /// Two seconds of a 1 kHz stream, so that a busy moment loses no sample.
 constexpr std::uint32_t kWrenchQueue = 2000;

@@ -1,0 +1,10 @@
+#include <ros/ros.h>
+
+#include "contact_shapelets/ros/wrench_adapter_node.h"
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "wrench_adapter_node");
+  const contact_shapelets::WrenchAdapterNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  ros::spin();
+  return 0;
+}
