@@ -18,7 +18,8 @@ else
     libgeometry-msgs-dev ros-geometry-msgs libstd-msgs-dev ros-std-msgs libstd-srvs-dev ros-std-srvs
     libros-rosgraph-msgs-dev python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster python3-rosmsg
     python3-rosnode python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic python3-rosunit
-    python3-topic-tools python3-catkin-pkg python3-empy rosbash rosout rospack-tools libmujoco-dev catkin-lint)
+    python3-topic-tools python3-diagnostic-msgs python3-geometry-msgs python3-std-msgs python3-std-srvs
+    python3-catkin-pkg python3-empy rosbash rosout rospack-tools libmujoco-dev catkin-lint)
 fi
 
 missing=()

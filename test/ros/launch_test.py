@@ -1,0 +1,155 @@
+#!/usr/bin/python3
+"""The shipped launch files load and start, and a training ends in good order on signals."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import roslaunch.config
+import roslib.packages
+import rospkg
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray
+
+PACKAGE = "contact_shapelets"
+ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
+LIMIT = 60.0
+ARGUMENTS = {
+    "record.launch": ["prefix:=/tmp/none"],
+    "replay.launch": ["bag:=/tmp/none.bag", "model:=/tmp/none.bag"],
+    "demo.launch": ["model:=/tmp/none.bag"],
+}
+DRIVERS = {
+    "iiwa_stack": "/iiwa/wrench",
+    "iiwa_ros": "/iiwa/wrench",
+    "kuka_iiwa_interface": "/victor/left_gripper/wrench",
+    "franka_ros": "/franka_state_controller/F_ext",
+    "force_torque_sensor_controller": "/ft_sensor",
+}
+
+
+def load(path, arguments=()):
+    """Returns the configuration of a launch file as roslaunch sees it."""
+    return roslaunch.config.load_config_default([(str(path), list(arguments))], None, verbose=False)
+
+
+def remaps_of(config, node_type):
+    """Returns what the node of this type has its topics remapped to, by their names in the node."""
+    (node,) = [node for node in config.nodes if node.type == node_type]
+    return {source.rsplit("/", 1)[-1]: target for source, target in node.remap_args}
+
+
+class Health:
+    """The last diagnostic status of each node."""
+
+    def __init__(self):
+        self.last = {}
+        self.subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.take)
+
+    def take(self, array):
+        for status in array.status:
+            self.last[status.name.split(":")[0]] = status.message
+
+    def wait_for(self, node, part):
+        end = time.monotonic() + LIMIT
+        while part not in self.last.get(node, ""):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
+
+
+class LaunchFiles(unittest.TestCase):
+    def test_each_loads_and_names_programs_that_exist(self):
+        files = sorted((ROOT / "launch").rglob("*.launch"))
+        self.assertGreaterEqual(len(files), 10)
+        programs = set()
+        for path in files:
+            with self.subTest(path.name):
+                config = load(path, ARGUMENTS.get(path.name, []))
+                self.assertFalse(config.config_errors)
+                self.assertTrue(config.nodes)
+                programs.update((node.package, node.type) for node in config.nodes)
+        for package, program in programs:
+            self.assertTrue(roslib.packages.find_node(package, program), f"{package}/{program}")
+
+    def test_each_driver_is_loaded_and_listens_to_the_drivers_topic(self):
+        paths = {path.stem: path for path in (ROOT / "launch/drivers").glob("*.launch")}
+        self.assertEqual(set(paths), set(DRIVERS))
+        for name, topic in DRIVERS.items():
+            with self.subTest(name):
+                self.assertEqual(remaps_of(load(paths[name]), "episode_node")["wrench"], topic)
+
+    def test_adapters_publish_what_the_episode_node_listens_to(self):
+        for name, source in (("iiwa_stack", "/iiwa/state/CartesianWrench"), ("iiwa_ros", "/additional_outputs")):
+            with self.subTest(name):
+                config = load(ROOT / f"launch/drivers/{name}.launch")
+                adapter = remaps_of(config, "wrench_adapter_node")
+                self.assertEqual(adapter["driver_message"], source)
+                self.assertEqual(adapter["wrench"], remaps_of(config, "episode_node")["wrench"])
+
+    def test_values_of_the_config_hold_unless_an_argument_is_given(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".yaml") as config:
+            config.write("segmentation: contact\ncontact_on: 12.0\n")
+            config.flush()
+            path = ROOT / "launch/diagnose.launch"
+            plain = load(path, [f"config:={config.name}"]).params
+            told = load(path, [f"config:={config.name}", "segmentation:=action"]).params
+        self.assertEqual(plain["/episode_node/segmentation"].value, "contact")
+        self.assertEqual(plain["/episode_node/contact_on"].value, 12.0)
+        self.assertEqual(told["/episode_node/segmentation"].value, "action")
+
+    def test_diagnose_starts_and_ends(self):
+        health = Health()
+        command = ["roslaunch", "--wait", PACKAGE, "diagnose.launch", "model:=" + rospy.get_param("/paths/model")]
+        with subprocess.Popen(command, start_new_session=True) as process:
+            try:
+                self.assertTrue(health.wait_for("classifier_node", "model in use"), health.last)
+                self.assertTrue(health.wait_for("episode_node", "no usable wrench yet"), health.last)
+            finally:
+                process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(LIMIT), 0)
+
+
+class Training(unittest.TestCase):
+    def end_by(self, number, name):
+        (program,) = roslib.packages.find_node(PACKAGE, "trainer_node")[:1]
+        with tempfile.TemporaryDirectory() as folder:
+            output = pathlib.Path(folder) / "model.bag"
+            output.write_bytes(b"as it was")
+            health = Health()
+            command = [program, f"__name:={name}", "_steps:=1000000", "_scales:=[0.1]", f"_output:={output}",
+                       f"_bags:={ROOT}/bags/switch_push_test.bag"]
+            with subprocess.Popen(command) as process:
+                try:
+                    self.assertTrue(health.wait_for(name, "training"), health.last)
+                finally:
+                    process.send_signal(number)
+                self.assertEqual(process.wait(LIMIT), 0)
+            self.assertEqual(output.read_bytes(), b"as it was")
+            self.assertEqual(os.listdir(folder), ["model.bag"])
+
+    def test_ends_by_interrupt_and_leaves_the_old_model(self):
+        self.end_by(signal.SIGINT, "interrupted")
+
+    def test_ends_by_termination_and_leaves_the_old_model(self):
+        self.end_by(signal.SIGTERM, "terminated")
+
+
+class Suite(unittest.TestSuite):
+    """All tests of this file."""
+
+    def __init__(self):
+        load_tests = unittest.defaultTestLoader.loadTestsFromTestCase
+        super().__init__([load_tests(LaunchFiles), load_tests(Training)])
+
+
+if __name__ == "__main__":
+    rospy.init_node("launch_test")
+    rostest.rosrun(PACKAGE, "launch_test", Suite)

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+/// \file
+/// What the tests of running nodes share. Waits are for conditions; their limits are only reached where a test fails.
+
+namespace contact_shapelets::test {
+
+constexpr double kLimit = 30.0;
+
+/// Handles callbacks until `condition` holds; false where it does not within the limit [s].
+inline bool WaitUntil(const std::function<bool()>& condition, double limit = kLimit) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(limit);
+  while (!condition()) {
+    if (ros::WallTime::now() > end) return false;
+    ros::spinOnce();
+    ros::WallDuration(0.002).sleep();
+  }
+  return true;
+}
+
+/// Keeps what arrives on a topic.
+template <typename Message>
+class Inbox {
+ public:
+  explicit Inbox(const std::string& topic)
+      : subscriber_(node_handle_.subscribe<Message>(topic, 1000, [this](const typename Message::ConstPtr& message) {
+          messages_.push_back(*message);
+        })) {}
+
+  bool WaitForPublisher() {
+    return WaitUntil([this] { return subscriber_.getNumPublishers() > 0; });
+  }
+  bool WaitForCount(std::size_t count) {
+    return WaitUntil([this, count] { return messages_.size() >= count; });
+  }
+  void Clear() { messages_.clear(); }
+  const std::vector<Message>& messages() const { return messages_; }
+
+ private:
+  ros::NodeHandle node_handle_;
+  std::vector<Message> messages_;
+  ros::Subscriber subscriber_;
+};
+
+/// The last diagnostic status of each node.
+class Diagnostics {
+ public:
+  using Status = diagnostic_msgs::DiagnosticStatus;
+
+  Diagnostics()
+      : subscriber_(node_handle_.subscribe<diagnostic_msgs::DiagnosticArray>(
+            "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
+              for (const Status& status : array->status) last_[status.name.substr(0, status.name.find(':'))] = status;
+            })) {}
+
+  /// Waits until `node` ("namespace/name") reports what `condition` asks for.
+  bool WaitFor(const std::string& node, const std::function<bool(const Status&)>& condition) {
+    return WaitUntil([&] {
+      const auto status = last_.find(node);
+      return status != last_.end() && condition(status->second);
+    });
+  }
+  /// Waits for a level and a part of the summary.
+  bool WaitFor(const std::string& node, int level, const std::string& part) {
+    return WaitFor(node, [&](const Status& status) {
+      return status.level == level && status.message.find(part) != std::string::npos;
+    });
+  }
+  /// Waits for the value of a key.
+  bool WaitForValue(const std::string& node, const std::string& key, const std::string& value) {
+    return WaitFor(node, [&](const Status& status) {
+      return std::any_of(status.values.begin(), status.values.end(),
+                         [&](const auto& entry) { return entry.key == key && entry.value == value; });
+    });
+  }
+
+ private:
+  ros::NodeHandle node_handle_;
+  std::map<std::string, Status> last_;
+  ros::Subscriber subscriber_;
+};
+
+/// A wrench with this force along z.
+inline geometry_msgs::WrenchStamped WrenchOf(const ros::Time& stamp, double force) {
+  geometry_msgs::WrenchStamped wrench;
+  wrench.header.stamp = stamp;
+  wrench.header.frame_id = "flange";
+  wrench.wrench.force.z = force;
+  return wrench;
+}
+
+/// A force sensor at 200 Hz in real time.
+class Sensor {
+ public:
+  explicit Sensor(const std::string& topic)
+      : publisher_(node_handle_.advertise<geometry_msgs::WrenchStamped>(topic, 1000)) {}
+
+  bool WaitForSubscriber() {
+    return WaitUntil([this] { return publisher_.getNumSubscribers() > 0; });
+  }
+  /// Publishes for `duration` [s] what `force` [N] gives for the time since the call, and handles callbacks.
+  void Play(double duration, const std::function<double(double)>& force) {
+    const ros::Time start = ros::Time::now();
+    ros::WallRate rate(200.0);
+    for (double time = 0.0; time < duration; time = (ros::Time::now() - start).toSec()) {
+      // Noise of a thousandth of a newton, since a constant stream counts as frozen.
+      noise_ = 1e-3 - noise_;
+      publisher_.publish(WrenchOf(ros::Time::now(), force(time) + noise_));
+      ros::spinOnce();
+      rate.sleep();
+    }
+  }
+  void Publish(const geometry_msgs::WrenchStamped& wrench) { publisher_.publish(wrench); }
+
+ private:
+  ros::NodeHandle node_handle_;
+  ros::Publisher publisher_;
+  double noise_ = 0.0;
+};
+
+/// No force, as the argument of Sensor::Play().
+inline double FreeAir(double /*time*/) { return 0.0; }
+
+}  // namespace contact_shapelets::test
