@@ -1,0 +1,188 @@
+/// Drives running nodes as robots would, and measures them: the time from the last wrench of an episode to its diagnosis, and
+/// the samples that were lost. Run by scripts/soak.sh.
+
+#include <contact_shapelets/Diagnosis.h>
+#include <contact_shapelets/EpisodeEvent.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/ros.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr double kLimit = 60.0;
+
+bool WaitUntil(const std::function<bool()>& condition) {
+  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLimit);
+  while (!condition() && ros::WallTime::now() < end) ros::WallDuration(0.01).sleep();
+  return condition();
+}
+
+/// A driver at a fixed rate with its sequencer: a push of 0.5 s every 0.6 s.
+class Robot {
+ public:
+  Robot(const std::string& name, double rate) : rate_(rate) {
+    wrench_publisher_ = node_handle_.advertise<geometry_msgs::WrenchStamped>(name + "/wrench", 2000);
+    event_publisher_ = node_handle_.advertise<contact_shapelets::EpisodeEvent>(name + "/episode_event", 10);
+    diagnosis_subscriber_ = node_handle_.subscribe<contact_shapelets::Diagnosis>(
+        name + "/diagnosis", 100, [this](const contact_shapelets::Diagnosis::ConstPtr& diagnosis) { Take(*diagnosis); },
+        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  }
+
+  bool WaitForConnections() const {
+    return WaitUntil([this] {
+      return wrench_publisher_.getNumSubscribers() > 0 && event_publisher_.getNumSubscribers() > 0 &&
+             diagnosis_subscriber_.getNumPublishers() > 0;
+    });
+  }
+
+  void Send() {
+    const auto period = static_cast<int>(0.6 * rate_);
+    const int position = sent_ % period;
+    const ros::Time now = ros::Time::now();
+    geometry_msgs::WrenchStamped wrench;
+    wrench.header.stamp = now;
+    wrench.wrench.force.z = 10.0 * std::sin(0.02 * position) + 0.01 * (sent_ % 7);
+    const bool last = position == period - 1;
+    const ros::WallTime sent = ros::WallTime::now();
+    wrench_publisher_.publish(wrench);
+    ++sent_;
+    if (position == period / 6) SendEdge(contact_shapelets::EpisodeEvent::OPEN, now);
+    if (!last || id_.empty()) return;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      last_wrench_[id_] = sent;
+    }
+    SendEdge(contact_shapelets::EpisodeEvent::CLOSE, now);
+  }
+
+  int sent() const { return sent_; }
+  std::vector<double> Latencies() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return latencies_;
+  }
+
+ private:
+  void SendEdge(std::uint8_t kind, const ros::Time& stamp) {
+    if (kind == contact_shapelets::EpisodeEvent::OPEN) id_ = std::to_string(sent_);
+    contact_shapelets::EpisodeEvent event;
+    event.header.stamp = stamp;
+    event.kind = kind;
+    event.episode_id = id_;
+    event_publisher_.publish(event);
+  }
+
+  void Take(const contact_shapelets::Diagnosis& diagnosis) {
+    const ros::WallTime now = ros::WallTime::now();
+    if (!diagnosis.final) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto sent = last_wrench_.find(diagnosis.episode_id);
+    if (sent != last_wrench_.end()) latencies_.push_back(1000.0 * (now - sent->second).toSec());
+  }
+
+  double rate_;
+  int sent_ = 0;
+  std::string id_;
+  mutable std::mutex mutex_;
+  std::map<std::string, ros::WallTime> last_wrench_;
+  std::vector<double> latencies_;
+  ros::NodeHandle node_handle_;
+  ros::Publisher wrench_publisher_;
+  ros::Publisher event_publisher_;
+  ros::Subscriber diagnosis_subscriber_;
+};
+
+/// What each episode node says that it has received.
+class Received {
+ public:
+  Received()
+      : subscriber_(node_handle_.subscribe<diagnostic_msgs::DiagnosticArray>(
+            "/diagnostics", 100, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& array) {
+              const std::lock_guard<std::mutex> lock(mutex_);
+              for (const auto& status : array->status) {
+                for (const auto& entry : status.values) {
+                  if (entry.key == "samples") samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
+                }
+              }
+            })) {}
+  int Of(const std::string& robot) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = samples_.find(robot);
+    return found == samples_.end() ? 0 : found->second;
+  }
+
+ private:
+  ros::NodeHandle node_handle_;
+  mutable std::mutex mutex_;
+  std::map<std::string, int> samples_;
+  ros::Subscriber subscriber_;
+};
+
+double Quantile(std::vector<double> values, double part) {
+  if (values.empty()) return std::nan("");
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  int robots = 1;
+  double rate = 1000.0;
+  double seconds = 120.0;
+  CLI::App app("Drives the nodes in the namespaces robot0, robot1, ... and measures them.");
+  app.add_option("--robots", robots, "Number of robots")->check(CLI::Range(1, 64));
+  app.add_option("--rate", rate, "[Hz] of each wrench")->check(CLI::Range(10.0, 2000.0));
+  app.add_option("--seconds", seconds, "Duration")->check(CLI::PositiveNumber);
+  CLI11_PARSE(app, argc, argv);
+
+  ros::init(argc, argv, "live_load");
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  const Received received;
+  std::vector<std::unique_ptr<Robot>> all;
+  for (int index = 0; index < robots; ++index) {
+    all.push_back(std::make_unique<Robot>("robot" + std::to_string(index), rate));
+  }
+  for (const auto& robot : all) {
+    if (!robot->WaitForConnections()) {
+      std::fprintf(stderr, "live_load: the nodes of robot0 to robot%d are not all there\n", robots - 1);
+      return 1;
+    }
+  }
+  ros::WallRate pace(rate);
+  const ros::WallTime start = ros::WallTime::now();
+  while (ros::ok() && (ros::WallTime::now() - start).toSec() < seconds) {
+    for (const auto& robot : all) robot->Send();
+    pace.sleep();
+  }
+  const double duration = (ros::WallTime::now() - start).toSec();
+
+  int lost = 0;
+  int sent = 0;
+  std::vector<double> latencies;
+  for (int index = 0; index < robots; ++index) {
+    const Robot& robot = *all[static_cast<std::size_t>(index)];
+    const std::string name = "robot" + std::to_string(index);
+    WaitUntil([&] { return received.Of(name) >= robot.sent(); });
+    lost += robot.sent() - received.Of(name);
+    sent += robot.sent();
+    const std::vector<double> of_robot = robot.Latencies();
+    latencies.insert(latencies.end(), of_robot.begin(), of_robot.end());
+  }
+  std::printf("%d robots, %.0f Hz reached for each, %d wrenches sent, %d lost, %zu episodes diagnosed\n", robots,
+              sent / duration / robots, sent, lost, latencies.size());
+  std::printf("last wrench sent to diagnosis received: median %.2f ms, p99 %.2f ms, longest %.2f ms\n",
+              Quantile(latencies, 0.5), Quantile(latencies, 0.99), Quantile(latencies, 1.0));
+  return lost == 0 ? 0 : 1;
+}
