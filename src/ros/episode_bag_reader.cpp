@@ -201,7 +201,7 @@ std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
   if (!parts.episode.empty()) return parts.episode + " holds none of at least 2 samples";
   const bool triggers = !parts.active.empty() || !parts.event.empty();
   return triggers ? "its triggers open none that is long enough"
-                  : "it has no episode_active (std_msgs/Bool) or episode_event topic; try segmentation by contact";
+                  : "it has no episode_active (std_msgs/Bool) or episode_event topic; try segmentation: contact";
 }
 
 }  // namespace

@@ -23,6 +23,12 @@ constexpr std::size_t kRecent = 10;
 
 core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
 
+/// Simulated time is 0 until its first message, which may arrive after the first wrenches and edges.
+core::Nanoseconds NowOr(core::Nanoseconds otherwise) {
+  const core::Nanoseconds now = Now();
+  return now > 0 ? now : otherwise;
+}
+
 /// What was counted from `before` to `now`: a fault that is over does not stay in the diagnostics for ever.
 core::StreamSummary Since(const core::StreamSummary& before, const core::StreamSummary& now) {
   core::StreamSummary recent = now;
@@ -105,8 +111,7 @@ void EpisodeNode::OnWrench(const geometry_msgs::WrenchStamped& wrench) {
     stream_->segmenter().set_frame_id(frame_id_);
   }
   const core::Nanoseconds stamp = ToNanoseconds(wrench.header.stamp);
-  // Simulated time is 0 until its first message, which may arrive after the first wrench.
-  const core::Nanoseconds arrival = Now() > 0 ? Now() : stamp;
+  const core::Nanoseconds arrival = NowOr(stamp);
   if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
     ROS_WARN_THROTTLE(10.0, "Wrenches that are not finite or out of order are dropped; /diagnostics counts them");
   }
@@ -117,7 +122,7 @@ void EpisodeNode::OnWrench(const geometry_msgs::WrenchStamped& wrench) {
 }
 
 void EpisodeNode::AddEdge(const std::function<void(core::Nanoseconds)>& add) {
-  const core::Nanoseconds arrival = Now();
+  const core::Nanoseconds arrival = NowOr(last_arrival_);
   if (arrival < last_arrival_ - kJumpBack) {
     jumps_back_ = stream_->Summary().jumps_back;
     early_edges_.emplace_back([add, arrival] { add(arrival); });
@@ -136,7 +141,7 @@ void EpisodeNode::AddEarlyEdges() {
 
 void EpisodeNode::LetTimePass() {
   if (++idle_ticks_ < kIdleTicks) return;
-  stream_->AdvanceTo(Now());
+  stream_->AdvanceTo(NowOr(last_arrival_));
   PublishNews();
 }
 

@@ -142,14 +142,6 @@ class Training(unittest.TestCase):
         self.end_by(signal.SIGTERM, "terminated")
 
 
-class Suite(unittest.TestSuite):
-    """All tests of this file."""
-
-    def __init__(self):
-        load_tests = unittest.defaultTestLoader.loadTestsFromTestCase
-        super().__init__([load_tests(LaunchFiles), load_tests(Training)])
-
-
 if __name__ == "__main__":
     rospy.init_node("launch_test")
-    rostest.rosrun(PACKAGE, "launch_test", Suite)
+    rostest.rosrun(PACKAGE, "launch_test", "launch_test")

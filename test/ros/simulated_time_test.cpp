@@ -37,12 +37,22 @@ class SimulatedTime : public testing::Test {
                          [&](const auto& array) { return array.header.stamp == ros::Time(time); });
     });
   }
-  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`.
+  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`, and waits until the node has them: on a busy machine
+  /// they would else arrive after the next jump of the clock. Needs one diagnosis since the last jump, as SetClock() waits for.
   void PlayWrench(double begin, double end) {
-    for (int index = 0; begin + 0.005 * index <= end; ++index) {
-      const double time = begin + 0.005 * index;
-      sensor_.Publish(WrenchOf(ros::Time(time), index % 2 == 0 ? 0.001 : 0.002));
+    const int before = Samples();
+    int count = 0;
+    for (; begin + 0.005 * count <= end; ++count) {
+      sensor_.Publish(WrenchOf(ros::Time(begin + 0.005 * count), count % 2 == 0 ? 0.001 : 0.002));
     }
+    ASSERT_TRUE(WaitUntil([&] { return Samples() == before + count; }));
+  }
+  /// Samples that the node has taken, by its last diagnostics.
+  int Samples() const {
+    for (const auto& value : health_.messages().back().status.front().values) {
+      if (value.key == "samples") return std::stoi(value.value);
+    }
+    return -1;
   }
   void Edge(std::uint8_t kind, double time, const std::string& id) {
     EpisodeEvent event;
