@@ -124,7 +124,7 @@ class Training(unittest.TestCase):
             output = pathlib.Path(folder) / "model.bag"
             output.write_bytes(b"as it was")
             health = Health()
-            command = [program, f"__name:={name}", "_steps:=1000000", "_scales:=[0.1]", f"_output:={output}",
+            command = [program, f"__name:={name}", "_steps:=1000000", f"_output:={output}",
                        f"_bags:={ROOT}/bags/switch_push_test.bag"]
             with subprocess.Popen(command) as process:
                 try:
