@@ -5,6 +5,7 @@ sample the diagnosis came. Ends after a number of episodes with a summary; exits
 
 import argparse
 import bisect
+import collections
 import statistics
 import sys
 import threading
@@ -14,6 +15,9 @@ import rospy
 from contact_shapelets.msg import Diagnosis, Episode
 from geometry_msgs.msg import WrenchStamped
 from std_msgs.msg import String
+
+# An outcome is said within this time of its episode's diagnosis [s]; episodes are farther apart.
+TOGETHER = 1.0
 
 
 class DiagnosisWatch:
@@ -25,8 +29,8 @@ class DiagnosisWatch:
         self._stamps = []
         self._arrivals = []
         self._ends = {}
-        self._diagnoses = []
-        self._outcomes = []
+        self._diagnoses = collections.deque()
+        self._outcomes = collections.deque()
         self.latencies = []
         self.right = 0
         self._subscribers = [
@@ -55,7 +59,7 @@ class DiagnosisWatch:
 
     def _on_outcome(self, message):
         with self._changed:
-            self._outcomes.append(message.data)
+            self._outcomes.append((time.monotonic(), message.data))
             self._changed.notify_all()
 
     def _latency(self, arrived, episode_id):
@@ -63,23 +67,34 @@ class DiagnosisWatch:
         last = bisect.bisect_right(self._stamps, self._ends[episode_id] + 1e-6) - 1
         return arrived - self._arrivals[max(last, 0)]
 
-    def wait_for(self, index, deadline):
-        """Waits for the episode with this index and prints its line. Returns False where it did not come."""
-        with self._changed:
-            def complete():
-                return (min(len(self._diagnoses), len(self._outcomes)) > index
-                        and self._diagnoses[index][1].episode_id in self._ends)
+    def _next_pair(self):
+        """Takes the oldest outcome and the diagnosis that goes with it; what stands alone (a push before the nodes were up) is
+        left out. Returns None where neither is complete."""
+        while self._outcomes and self._diagnoses:
+            (said, outcome), (arrived, diagnosis) = self._outcomes[0], self._diagnoses[0]
+            if abs(said - arrived) < TOGETHER:
+                if diagnosis.episode_id not in self._ends:
+                    return None
+                self._outcomes.popleft()
+                self._diagnoses.popleft()
+                return outcome, arrived, diagnosis
+            (self._outcomes if said < arrived else self._diagnoses).popleft()
+        return None
 
-            while not complete():
+    def wait_for(self, index, deadline):
+        """Waits for the next episode and prints its line, numbered `index`. Returns False where none came."""
+        with self._changed:
+            pair = self._next_pair()
+            while pair is None:
                 if rospy.is_shutdown() or time.monotonic() > deadline:
                     return False
                 self._changed.wait(0.2)
-            arrived, diagnosis = self._diagnoses[index]
-            outcome = self._outcomes[index]
+                pair = self._next_pair()
+            outcome, arrived, diagnosis = pair
             self.latencies.append(1e3 * self._latency(arrived, diagnosis.episode_id))
             expected = "unknown" if outcome in self._unknown_outcomes else outcome
             self.right += diagnosis.event == expected
-            print(f"{index + 1:3d}  outcome {outcome:12s} diagnosed {diagnosis.event:12s} "
+            print(f"{index:3d}  outcome {outcome:12s} diagnosed {diagnosis.event:12s} "
                   f"confidence {diagnosis.confidence:4.2f}  {self.latencies[-1]:5.1f} ms after the last sample", flush=True)
             return True
 
@@ -94,7 +109,7 @@ def main():
     watch = DiagnosisWatch(set(arguments.unknown))
     deadline = time.monotonic() + arguments.timeout
     seen = 0
-    while seen < arguments.episodes and watch.wait_for(seen, deadline):
+    while seen < arguments.episodes and watch.wait_for(seen + 1, deadline):
         seen += 1
     if seen:
         print(f"{watch.right} of {seen} episodes diagnosed as they went; diagnosis {statistics.median(watch.latencies):.1f} ms "

@@ -23,7 +23,7 @@ LIMIT = 60.0
 ARGUMENTS = {
     "record.launch": ["prefix:=/tmp/none"],
     "replay.launch": ["bag:=/tmp/none.bag", "model:=/tmp/none.bag"],
-    "demo.launch": ["model:=/tmp/none.bag"],
+    "demo.launch": [f"cell:={'true' if roslib.packages.find_node(PACKAGE, 'simulated_cell_node') else 'false'}"],
 }
 DRIVERS = {
     "iiwa_stack": "/iiwa/wrench",
