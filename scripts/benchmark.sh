@@ -18,14 +18,14 @@ done
 setup=$("$package/scripts/build.sh")
 workspace=$(dirname "$(dirname "$setup")")
 programs=$workspace/devel/lib/contact_shapelets
-if [ ! -x "$programs/shapelets_benchmark" ]; then
-  echo "Google Benchmark is not installed (libbenchmark-dev): there is nothing to run" >&2
-  exit 1
-fi
 export PATH=/usr/bin:$PATH CONTACT_SHAPELETS_BAGS=$package/bags
 set +u
 . "$setup"
 set -u
+if ! cmake --build "$workspace/build" --target shapelets_benchmark >"$workspace/benchmark_build.log" 2>&1; then
+  echo "The benchmark was not built (it needs libbenchmark-dev): see $workspace/benchmark_build.log" >&2
+  exit 1
+fi
 results=$(mktemp -d)
 trap 'rm -rf "$results"' EXIT
 "$programs/shapelets_benchmark" --benchmark_filter="$filter" --benchmark_out="$results/benchmark.json" \
