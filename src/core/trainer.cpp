@@ -101,7 +101,11 @@ std::string ModelDigest(const Model& model) {
     }
   };
   for (const Shapelet& shapelet : model.shapelets) add(shapelet.values);
-  for (const Cluster& cluster : model.clusters) add(cluster.centroid);
+  for (const Cluster& cluster : model.clusters) {
+    add(cluster.centroid);
+    add(Eigen::VectorXf::Constant(1, cluster.novelty_limit));
+  }
+  add(Eigen::Vector3d(model.sample_period, model.flat_fraction, model.log_offset).cast<float>());
   std::ostringstream text;
   text << std::hex << std::setw(16) << std::setfill('0') << digest;
   return text.str();
