@@ -17,12 +17,12 @@ constexpr int kShapelets = 19;
 /// A random walk of normal steps.
 Eigen::VectorXf RandomWalk(int count, std::uint64_t seed);
 
-/// `count` switch pushes of kEpisodeLength samples: those of bags/switch_push_train.bag in turn, stretched, each time with fresh
-/// noise of 0.3 N. CONTACT_SHAPELETS_BAGS names the folder.
+/// `count` switch pushes of kEpisodeLength samples: those of bags/switch_push_train.bag in turn, stretched, each time
+/// with fresh noise of 0.3 N. CONTACT_SHAPELETS_BAGS names the folder.
 std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed);
 
-/// Seconds of processor time that `work` takes in all threads. On a machine with other load the time on the clock would grow with
-/// the length of what is measured, since long work is interrupted and short work is not.
+/// Seconds of processor time that `work` takes in all threads. On a machine with other load the time on the clock would
+/// grow with the length of what is measured, since long work is interrupted and short work is not.
 template <typename Work>
 double SecondsOf(const Work& work) {
   const auto now = [] {

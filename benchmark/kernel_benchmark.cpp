@@ -71,8 +71,11 @@ void KernelAgainstFftw(benchmark::State& state) {
     Report(&state, Quantile(seconds, 0.5), Quantile(reference, 0.5));
   }
 }
-BENCHMARK(KernelAgainstFftw)->ArgNames({"M", "pushes"})->ArgsProduct({{16, 32, 64, 128, 256}, {0, 1}})
-    ->Iterations(1)->UseManualTime();
+BENCHMARK(KernelAgainstFftw)
+    ->ArgNames({"M", "pushes"})
+    ->ArgsProduct({{16, 32, 64, 128, 256}, {0, 1}})
+    ->Iterations(1)
+    ->UseManualTime();
 
 /// Multiply-adds of the algebra: one per sample of each full overlap; for each shift of each window one that takes a
 /// sample out of the sum and one for the window's mean. What is needed to compare with the best is not counted.
@@ -99,8 +102,11 @@ void UnprunedKernelAgainstPeak(benchmark::State& state) {
     Report(&state, Quantile(seconds, 0.5), at_peak);
   }
 }
-BENCHMARK(UnprunedKernelAgainstPeak)->ArgNames({"M", "pushes"})->ArgsProduct({{64, 128}, {0}})
-    ->Iterations(1)->UseManualTime();
+BENCHMARK(UnprunedKernelAgainstPeak)
+    ->ArgNames({"M", "pushes"})
+    ->ArgsProduct({{64, 128}, {0}})
+    ->Iterations(1)
+    ->UseManualTime();
 
 /// The definition as one would write it down: every window, every shift, every sample.
 float NaiveBest(const float* series, const float* shapelet, int length) {
@@ -138,8 +144,8 @@ void KernelAgainstNaiveLoop(benchmark::State& state) {
       // One shapelet of all is enough for the naive loop, which takes each as long.
       const float* shapelet = shapelets.normalised().col(static_cast<Eigen::Index>(index) % kShapelets).data();
       reference.push_back(kShapelets * SecondsOf([&] {
-        benchmark::DoNotOptimize(NaiveBest(series.data(), shapelet, shapelets.length()));
-      }));
+                            benchmark::DoNotOptimize(NaiveBest(series.data(), shapelet, shapelets.length()));
+                          }));
     }
     Report(&state, Quantile(seconds, 0.5), Quantile(reference, 0.5));
   }

@@ -1,5 +1,5 @@
-/// Drives running nodes as robots would, and measures them: the time from the last wrench of an episode to its diagnosis, and
-/// the samples that were lost. Run by scripts/soak.sh.
+/// Drives running nodes as robots would, and measures them: the time from the last wrench of an episode to its
+/// diagnosis, and the samples that were lost. Run by scripts/soak.sh.
 
 #include <contact_shapelets/Diagnosis.h>
 #include <contact_shapelets/EpisodeEvent.h>
@@ -111,7 +111,8 @@ class Received {
               const std::lock_guard<std::mutex> lock(mutex_);
               for (const auto& status : array->status) {
                 for (const auto& entry : status.values) {
-                  if (entry.key == "samples") samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
+                  if (entry.key == "samples")
+                    samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
                 }
               }
             })) {}

@@ -48,8 +48,8 @@ std::map<int, std::vector<const core::Shapelet*>> ByLength(const core::Model& mo
   return groups;
 }
 
-/// Seconds that the paper's formulation takes for the features of one push: the median of several. A dilated shapelet is matched in
-/// each phase.
+/// Seconds that the paper's formulation takes for the features of one push: the median of several. A dilated shapelet
+/// is matched in each phase.
 double FftwSecondsPerPush(const core::Model& model, const std::vector<core::Episode>& pushes) {
   double total = 0.0;
   std::map<std::pair<int, int>, std::vector<const core::Shapelet*>> groups;
@@ -79,15 +79,16 @@ double FftwSecondsPerPush(const core::Model& model, const std::vector<core::Epis
   return total;
 }
 
-/// The reference is the time that the paper's formulation takes for the matches alone, measured on 7 pushes and multiplied by how many
-/// the training matches; everything else that a training does is left out of it.
-/// Both are processor time of all threads.
+/// The reference is the time that the paper's formulation takes for the matches alone, measured on 7 pushes and
+/// multiplied by how many the training matches; everything else that a training does is left out of it. Both are
+/// processor time of all threads.
 void DefaultTrainingAgainstFftw(benchmark::State& state) {
   const std::vector<core::Episode> pushes = SwitchPushes(7, 5);
   for (auto _ : state) {
     const Training& training = DefaultTraining();
     const core::LearnerOptions learner = Options().learner;
-    const double matched = static_cast<double>(learner.steps) * std::min(learner.batch, kTrainingEpisodes) + kTrainingEpisodes;
+    const double matched =
+        static_cast<double>(learner.steps) * std::min(learner.batch, kTrainingEpisodes) + kTrainingEpisodes;
     Report(&state, training.seconds, matched * FftwSecondsPerPush(training.result.model, pushes));
   }
 }

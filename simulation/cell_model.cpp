@@ -111,8 +111,7 @@ JointVector CellModel::GravityTorques() const {
   Eigen::Matrix<double, 3, kArmJoints + 1, Eigen::RowMajor> translation;
   for (int body = 1; body <= tool_body_; ++body) {
     mj_jacBodyCom(model_.get(), data_.get(), translation.data(), nullptr, body);
-    torques += -model_->body_mass[body] * model_->opt.gravity[2] *
-               translation.row(2).head<kArmJoints>().transpose();
+    torques += -model_->body_mass[body] * model_->opt.gravity[2] * translation.row(2).head<kArmJoints>().transpose();
   }
   return torques;
 }
@@ -164,9 +163,10 @@ void CellModel::SetUp(const PushCondition& condition) {
   const Eigen::Vector3d taught = TaughtContact(condition.engagement);
   const double thickness = model_->geom_size[3 * obstacle_geom_ + 2];
   Eigen::Map<Eigen::Vector3d> obstacle(model_->body_pos + 3 * obstacle_body_);
-  obstacle = condition.outcome == Outcome::kCollision
-                 ? Eigen::Vector3d(taught.x(), 0.0, taught.z() + kFingerRadius + thickness - condition.obstacle_distance)
-                 : Eigen::Vector3d(0.0, 0.0, -5.0);
+  obstacle =
+      condition.outcome == Outcome::kCollision
+          ? Eigen::Vector3d(taught.x(), 0.0, taught.z() + kFingerRadius + thickness - condition.obstacle_distance)
+          : Eigen::Vector3d(0.0, 0.0, -5.0);
 
   data_->qpos[model_->jnt_qposadr[lever_joint_]] = condition.outcome == Outcome::kAlreadyOn ? kStop : -kStop;
   data_->qvel[dof] = 0.0;

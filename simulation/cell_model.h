@@ -20,7 +20,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// Position and orientation of a site in the world.
 struct Pose {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();
 };
 
@@ -90,10 +90,11 @@ class CellModel {
   /// Greatest value of UnitSpringTorque over the lever's travel.
   static double GreatestUnitSpringTorque();
 
-  static constexpr double kStop = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] of the lever's travel to either side
-  static constexpr double kLeverLength = 0.018;                           ///< [m] from the hinge to the toggle's end
-  static constexpr double kFingerRadius = 0.004;                          ///< [m]
-  static constexpr double kLeverRadius = 0.003;                           ///< [m]
+  static constexpr double kStop =
+      28.0 * 3.14159265358979323846 / 180.0;      ///< [rad] of the lever's travel to either side
+  static constexpr double kLeverLength = 0.018;   ///< [m] from the hinge to the toggle's end
+  static constexpr double kFingerRadius = 0.004;  ///< [m]
+  static constexpr double kLeverRadius = 0.003;   ///< [m]
 
  private:
   struct DeleteModel {

@@ -15,19 +15,20 @@ struct Impedance {
   double damping_ratio = 0.7;           ///< Lehr's
 };
 
-/// Joint torques that make the tool's tip a damped spring about its reference, with gravity and Coriolis torques compensated.
+/// Joint torques that make the tool's tip a damped spring about its reference, with gravity and Coriolis torques
+/// compensated.
 ///
 /// The damping matrix follows from stiffness and damping ratio by double diagonalisation with the inertia at the tip
-/// (Albu-Schäffer, Ott, Frese, Hirzinger: Cartesian impedance control of redundant robots, ICRA 2003). The elbow is held by a
-/// soft spring in the null space of the tip's motion.
+/// (Albu-Schäffer, Ott, Frese, Hirzinger: Cartesian impedance control of redundant robots, ICRA 2003). The elbow is
+/// held by a soft spring in the null space of the tip's motion.
 class ImpedanceController {
  public:
   /// Sets stiffness and damping, which take effect with the next design of the damping.
   void SetImpedance(const Impedance& impedance) { impedance_ = impedance; }
   /// Lets the elbow rest at the arm's angles of now.
   void HoldElbow(const CellModel& cell) { elbow_ = cell.JointAngles(); }
-  /// Computes damping and null space for the arm's inertia of now. Needed once before Torques(), and again where the pose
-  /// has changed much.
+  /// Computes damping and null space for the arm's inertia of now. Needed once before Torques(), and again where the
+  /// pose has changed much.
   void Design(const CellModel& cell);
   /// Joint torques [Nm] for the arm's state of now, with the tool's orientation held towards the cabinet.
   JointVector Torques(const CellModel& cell, const MotionReference& reference) const;

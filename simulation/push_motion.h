@@ -15,9 +15,9 @@ struct MotionReference {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
 };
 
-/// A straight push with limited acceleration: wait, fast approach, slow push, hold, and back to the start; earlier where the
-/// force limit is reached, as with a force condition on a robot's linear motion. Between pushes it goes to where the next
-/// one starts.
+/// A straight push with limited acceleration: wait, fast approach, slow push, hold, and back to the start; earlier
+/// where the force limit is reached, as with a force condition on a robot's linear motion. Between pushes it goes to
+/// where the next one starts.
 class PushMotion {
  public:
   enum class Phase { kIdle, kWait, kForth, kHold, kReact, kBack };

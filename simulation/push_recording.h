@@ -20,8 +20,8 @@ struct PushRecording {
 /// Simulates `duration` [s] of a push in a cell of its own. \throws std::runtime_error where the push takes longer.
 PushRecording RecordPush(const PushCondition& condition, double duration);
 
-/// A push that goes as `outcome` says: conditions are drawn until one does, since not every draw does what it was made for.
-/// \throws std::runtime_error where none of 100 does.
+/// A push that goes as `outcome` says: conditions are drawn until one does, since not every draw does what it was made
+/// for. \throws std::runtime_error where none of 100 does.
 PushRecording RecordOutcome(Outcome outcome, double duration, core::Random* random);
 
 }  // namespace contact_shapelets::simulation

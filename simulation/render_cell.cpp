@@ -19,8 +19,18 @@ namespace {
 class OffscreenContext {
  public:
   OffscreenContext() {
-    const EGLint attributes[] = {EGL_RED_SIZE,   8,  EGL_GREEN_SIZE,      8,               EGL_BLUE_SIZE,       8,
-                                 EGL_DEPTH_SIZE, 24, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE,    EGL_PBUFFER_BIT,
+    const EGLint attributes[] = {EGL_RED_SIZE,
+                                 8,
+                                 EGL_GREEN_SIZE,
+                                 8,
+                                 EGL_BLUE_SIZE,
+                                 8,
+                                 EGL_DEPTH_SIZE,
+                                 24,
+                                 EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT,
+                                 EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
                                  EGL_NONE};
     display_ = eglGetDisplay(EGL_DEFAULT_DISPLAY);
     EGLConfig config = nullptr;

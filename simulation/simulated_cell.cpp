@@ -5,8 +5,8 @@
 namespace contact_shapelets::simulation {
 namespace {
 
-constexpr int kDesignCycles = 10;    // between two designs of the damping
-constexpr int kSettleCycles = 300;   // after the arm was placed
+constexpr int kDesignCycles = 10;   // between two designs of the damping
+constexpr int kSettleCycles = 300;  // after the arm was placed
 constexpr double kOn = 0.5 * CellModel::kStop;
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace contact_shapelets::simulation {
 
 /// What can be seen of the cell at one moment.
 struct CellState {
-  double time = 0.0;                                           ///< [s] since the cell was made
-  Vector6 wrench = Vector6::Zero();                            ///< estimate at the flange, in its frame [N, Nm]
-  Eigen::Vector3d contact_force = Eigen::Vector3d::Zero();     ///< true force on the finger, in the world's frame [N]
-  double tip_height = 0.0;                                     ///< [m]
-  double lever_angle = 0.0;                                    ///< [rad], below 0 off
+  double time = 0.0;                                        ///< [s] since the cell was made
+  Vector6 wrench = Vector6::Zero();                         ///< estimate at the flange, in its frame [N, Nm]
+  Eigen::Vector3d contact_force = Eigen::Vector3d::Zero();  ///< true force on the finger, in the world's frame [N]
+  double tip_height = 0.0;                                  ///< [m]
+  double lever_angle = 0.0;                                 ///< [rad], below 0 off
   PushMotion::Phase phase = PushMotion::Phase::kIdle;
 };
 

@@ -159,7 +159,8 @@ void SimulatedCellNode::BeginPush(Outcome outcome) {
 
 Outcome SimulatedCellNode::NextOutcome() {
   const auto& outcomes = AllOutcomes();
-  if (options_.script.empty()) return outcomes[static_cast<std::size_t>(random_.Index(static_cast<int>(outcomes.size())))];
+  if (options_.script.empty())
+    return outcomes[static_cast<std::size_t>(random_.Index(static_cast<int>(outcomes.size())))];
   return OutcomeOfName(options_.script[script_place_++ % options_.script.size()]);
 }
 

@@ -14,14 +14,14 @@ namespace contact_shapelets::simulation {
 
 /// What the node is told.
 struct SimulatedCellOptions {
-  double rate = 1000.0;              ///< [Hz] of the wrench, [30, 1000]
-  std::vector<std::string> script;   ///< outcomes that are pushed one after the other; empty: random ones
-  bool endless = true;               ///< push again and again; else only when the service is called
-  double period = 7.0;               ///< [s] from one push to the next, at least 2 above the episode's duration
-  double episode_duration = 4.33;    ///< [s], [4, 20]
-  int seed = 1;                      ///< of conditions and noise, at least 0
-  bool publish_clock = false;        ///< drive /clock, for use_sim_time
-  double speed = 1.0;                ///< simulated seconds per second where the clock is driven, [0.01, 100]
+  double rate = 1000.0;             ///< [Hz] of the wrench, [30, 1000]
+  std::vector<std::string> script;  ///< outcomes that are pushed one after the other; empty: random ones
+  bool endless = true;              ///< push again and again; else only when the service is called
+  double period = 7.0;              ///< [s] from one push to the next, at least 2 above the episode's duration
+  double episode_duration = 4.33;   ///< [s], [4, 20]
+  int seed = 1;                     ///< of conditions and noise, at least 0
+  bool publish_clock = false;       ///< drive /clock, for use_sim_time
+  double speed = 1.0;               ///< simulated seconds per second where the clock is driven, [0.01, 100]
 
   /// Every parameter that is out of range, one line each with its name and range; empty where all are well.
   std::string Faults() const;
@@ -62,11 +62,11 @@ class SimulatedCellNode {
   core::Random random_;
   SimulatedCell cell_;
   Stage stage_ = Stage::kRest;
-  double stage_end_ = 1.0;   ///< [s] of the cell's time
-  double next_push_ = 1.0;   ///< [s] of the cell's time
+  double stage_end_ = 1.0;  ///< [s] of the cell's time
+  double next_push_ = 1.0;  ///< [s] of the cell's time
   long published_ = 0;
   std::size_t script_place_ = 0;
-  ros::Time origin_;         ///< stamp of the cell's time 0
+  ros::Time origin_;  ///< stamp of the cell's time 0
   ros::WallTime wall_origin_;
   ros::Publisher wrench_publisher_;
   ros::Publisher active_publisher_;

@@ -55,8 +55,7 @@ Outcome OutcomeOf(Set set, int index) {
 /// The episode that the episode node would make of a push.
 core::Episode MakeEpisode(const Arguments& arguments, Set set, int index) {
   core::Random random = RandomOf(arguments, set, index);
-  const PushRecording recording =
-      RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random);
+  const PushRecording recording = RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random);
   const core::Nanoseconds start = kEpoch + FromSeconds(10.0 * index);
   core::WrenchStream stream(core::SegmentationOptions{});
   stream.segmenter().set_frame_id(kWrenchFrame);
@@ -75,9 +74,8 @@ core::Episode MakeEpisode(const Arguments& arguments, Set set, int index) {
 
 void WriteEpisodes(const Arguments& arguments, Set set, int count, const std::string& path) {
   std::vector<core::Episode> episodes(static_cast<std::size_t>(count));
-  core::ParallelFor(count, core::ThreadCount(arguments.threads), [&](int index) {
-    episodes[static_cast<std::size_t>(index)] = MakeEpisode(arguments, set, index);
-  });
+  core::ParallelFor(count, core::ThreadCount(arguments.threads),
+                    [&](int index) { episodes[static_cast<std::size_t>(index)] = MakeEpisode(arguments, set, index); });
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::BZ2);
   for (int index = 0; index < count; ++index) {

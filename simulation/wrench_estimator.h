@@ -8,8 +8,8 @@
 
 namespace contact_shapelets::simulation {
 
-/// External joint torques, low-passed as by a disturbance observer, turned into a wrench by the damped pseudo-inverse of the
-/// transposed Jacobian, with the faults of real torque sensors and models on the way.
+/// External joint torques, low-passed as by a disturbance observer, turned into a wrench by the damped pseudo-inverse
+/// of the transposed Jacobian, with the faults of real torque sensors and models on the way.
 class WrenchEstimator {
  public:
   /// Takes new faults. Offsets go over to them within a second or so, but for the first ones; the drift starts anew.
@@ -18,8 +18,8 @@ class WrenchEstimator {
   void SampleErrors(const CellModel& cell, double period);
   /// Takes the external joint torques of the last step of `period` [s].
   void Advance(const CellModel& cell, double period);
-  /// The estimate: force [N], then torque [Nm] about the flange, in the flange's frame. It is what the environment does to
-  /// the robot.
+  /// The estimate: force [N], then torque [Nm] about the flange, in the flange's frame. It is what the environment does
+  /// to the robot.
   Vector6 Wrench(const CellModel& cell) const;
 
   static constexpr double kFilterTime = 0.005;  ///< [s] time constant of the observer

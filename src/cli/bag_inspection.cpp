@@ -71,8 +71,7 @@ class WrenchFollower {
 class MarkerFollower {
  public:
   void Take(const rosbag::MessageInstance& message) {
-    if (const auto active = message.instantiate<std_msgs::Bool>())
-      ++counts_[active->data != 0U ? "true" : "false"];
+    if (const auto active = message.instantiate<std_msgs::Bool>()) ++counts_[active->data != 0U ? "true" : "false"];
     if (const auto outcome = message.instantiate<std_msgs::String>()) ++counts_[outcome->data];
     if (const auto event = message.instantiate<EpisodeEvent>()) {
       ++counts_[event->kind == EpisodeEvent::OPEN ? "open" : "close"];
@@ -95,8 +94,7 @@ class Reading {
     std::map<std::string, std::uint32_t> counts;
     rosbag::View all(bag);
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
-      rosbag::View view(
-          bag, [connection](const rosbag::ConnectionInfo* other) { return other->id == connection->id; });
+      rosbag::View view(bag, [connection](const rosbag::ConnectionInfo* other) { return other->id == connection->id; });
       counts[connection->topic] += view.size();
       if (connection->datatype == kWrenchType) AddWrench(connection->topic);
     }
@@ -111,8 +109,7 @@ class Reading {
     const auto wrench = wrenches_.find(message.getTopic());
     if (wrench != wrenches_.end()) {
       const auto content = message.instantiate<geometry_msgs::WrenchStamped>();
-      if (!content)
-        throw std::runtime_error(message.getTopic() + " holds " + kWrenchType + " of another version");
+      if (!content) throw std::runtime_error(message.getTopic() + " holds " + kWrenchType + " of another version");
       wrench->second->Take(*content, ToNanoseconds(message.getTime()));
     }
     const auto marker = markers_.find(message.getTopic());
@@ -184,13 +181,11 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
                      HasMarker(*inspection, "std_msgs/Bool", topics::kEpisodeActive);
   for (WrenchTopic& wrench : inspection->wrenches) {
     options.wrench_topic = wrench.name;
-    const auto find = [&](bool possible, const char* way, core::Segmentation segmentation,
-                          const char* reason) {
+    const auto find = [&](bool possible, const char* way, core::Segmentation segmentation, const char* reason) {
       options.segmentation.segmentation = segmentation;
       wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, reason});
     };
-    find(edges, "trigger", core::Segmentation::kTrigger,
-         "no episode_active (std_msgs/Bool) or episode_event topic");
+    find(edges, "trigger", core::Segmentation::kTrigger, "no episode_active (std_msgs/Bool) or episode_event topic");
     find(true, "contact", core::Segmentation::kContact, "");
     find(HasMarker(*inspection, kStatusType, nullptr), "action", core::Segmentation::kAction,
          "no actionlib_msgs/GoalStatusArray topic");
@@ -212,15 +207,13 @@ void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::ve
   }
 }
 
-void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& options,
-                   std::vector<Problem>* problems) {
+void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& options, std::vector<Problem>* problems) {
   for (const WrenchTopic& wrench : inspection.wrenches) {
     for (const core::StreamFault& fault : core::Faults(wrench.stream)) {
       problems->push_back({wrench.name + ": " + fault.text, fault.remedy});
     }
     if (wrench.stream.rate > 0.0 && wrench.stream.rate * options.segmentation.sample_period < 0.3) {
-      problems->push_back({wrench.name + ": " + Number(wrench.stream.rate, 1) +
-                               " Hz is slow for a sample_period of " +
+      problems->push_back({wrench.name + ": " + Number(wrench.stream.rate, 1) + " Hz is slow for a sample_period of " +
                                Number(options.segmentation.sample_period, 3) + " s",
                            "raise the driver's rate to 30 Hz or more, or sample_period"});
     }
@@ -229,8 +222,7 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
     }
   }
   if (inspection.wrenches.size() > 1) {
-    problems->push_back(
-        {"several topics of type " + std::string(kWrenchType), "choose one by --wrench-topic"});
+    problems->push_back({"several topics of type " + std::string(kWrenchType), "choose one by --wrench-topic"});
   }
 }
 
@@ -248,15 +240,12 @@ void Judge(const BagReaderOptions& options, BagInspection* inspection) {
     return;
   }
   const std::vector<EpisodesFound>& found = inspection->wrenches.front().found;
-  const auto has_episodes = [](const EpisodesFound& way) {
-    return way.way != "contact" && !way.episodes.empty();
-  };
+  const auto has_episodes = [](const EpisodesFound& way) { return way.way != "contact" && !way.episodes.empty(); };
   if (std::none_of(found.begin(), found.end(), has_episodes)) {
-    const bool contact =
-        std::any_of(found.begin(), found.end(), [](const auto& way) { return !way.episodes.empty(); });
-    problems.push_back({"no episode markers",
-                        contact ? "record episode_active beside the wrench, or use --segmentation contact"
-                                : "record episode_active (std_msgs/Bool) beside the wrench"});
+    const bool contact = std::any_of(found.begin(), found.end(), [](const auto& way) { return !way.episodes.empty(); });
+    problems.push_back(
+        {"no episode markers", contact ? "record episode_active beside the wrench, or use --segmentation contact"
+                                       : "record episode_active (std_msgs/Bool) beside the wrench"});
   } else if (!HasMarker(*inspection, "std_msgs/String", topics::kOutcome)) {
     problems.push_back(
         {"no outcome topic", "not needed to train; without it, clusters are named by hand and not scored"});
@@ -276,8 +265,7 @@ void ReadModel(const std::string& path, BagInspection* inspection) {
 
 }  // namespace
 
-BagInspection InspectBag(const std::string& path, const BagReaderOptions& options,
-                         const ReadProgress& progress) {
+BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
   rosbag::Bag bag;
   OpenBag(path, &bag);
   BagInspection inspection;

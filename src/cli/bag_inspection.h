@@ -61,7 +61,6 @@ struct BagInspection {
 
 /// Reads a bag wholly. `options.wrench_topic` leaves out the other wrench topics; empty: all.
 /// \throws std::runtime_error in one line that names the bag where it cannot be read.
-BagInspection InspectBag(const std::string& path, const BagReaderOptions& options,
-                         const ReadProgress& progress);
+BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress);
 
 }  // namespace contact_shapelets::cli

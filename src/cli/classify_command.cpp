@@ -43,8 +43,8 @@ void WriteResult(const core::Episode& episode, const core::Classification& resul
 
 /// Copies the bags into one, and adds features, diagnosis and event of each episode at its end. A failure
 /// leaves no file.
-void Annotate(const Arguments& arguments, const core::Model& model,
-              const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results) {
+void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
+              const std::vector<core::Classification>& results) {
   const std::string temporary = arguments.annotate + ".part";
   try {
     rosbag::Bag output(temporary, rosbag::bagmode::Write);
@@ -67,8 +67,7 @@ void Annotate(const Arguments& arguments, const core::Model& model,
   }
 }
 
-void PrintEpisodes(const std::vector<core::Episode>& episodes,
-                   const std::vector<core::Classification>& results) {
+void PrintEpisodes(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results) {
   std::size_t id_width = 10;
   std::size_t event_width = 5;
   bool outcomes = false;
@@ -93,19 +92,17 @@ void Classify(const Arguments& arguments) {
   if (!arguments.csv.empty()) CheckOutput("--csv", arguments.csv, arguments.bags.bags);
   if (!arguments.annotate.empty()) CheckOutput("--annotate", arguments.annotate, arguments.bags.bags);
   const core::Classifier classifier(LoadModel(arguments.model));
-  if (arguments.bags.configs.empty())
-    options.reader.segmentation.sample_period = classifier.model().sample_period;
+  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = classifier.model().sample_period;
   const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
-  const std::vector<core::Classification> results =
-      ClassifyAll(classifier, episodes, options.trainer.threads);
+  const std::vector<core::Classification> results = ClassifyAll(classifier, episodes, options.trainer.threads);
 
   PrintEpisodes(episodes, results);
   if (!arguments.csv.empty()) WriteCsv(arguments.csv, episodes, results);
   if (!arguments.annotate.empty()) Annotate(arguments, classifier.model(), episodes, results);
   std::map<std::string, int> events;
   for (const core::Classification& result : results) ++events[result.diagnosis.event];
-  std::printf("%s by model %s: %s\n", Count(episodes.size(), "episode").c_str(),
-              classifier.model().id.c_str(), CountsText(events).c_str());
+  std::printf("%s by model %s: %s\n", Count(episodes.size(), "episode").c_str(), classifier.model().id.c_str(),
+              CountsText(events).c_str());
   PrintScores(episodes, NearestClusters(results));
 }
 

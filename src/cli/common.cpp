@@ -18,12 +18,10 @@ namespace contact_shapelets::cli {
 void AddBagArguments(CLI::App* command, BagArguments* arguments) {
   command->add_option("bags", arguments->bags, "Recorded bags: raw wrench with triggers, or Episode messages")
       ->required();
-  command->add_option("--wrench-topic", arguments->wrench_topic,
-                      "The wrench, where it is not the only WrenchStamped");
+  command->add_option("--wrench-topic", arguments->wrench_topic, "The wrench, where it is not the only WrenchStamped");
   command->add_option("--segmentation", arguments->segmentation, "What opens and closes an episode")
       ->check(CLI::IsMember({"trigger", "contact", "action"}));
-  command->add_option("--config", arguments->configs,
-                      "YAML files with parameters, such as config/trainer.yaml");
+  command->add_option("--config", arguments->configs, "YAML files with parameters, such as config/trainer.yaml");
 }
 
 Options ReadOptions(const BagArguments& arguments) {
@@ -44,12 +42,9 @@ Options ReadOptions(const BagArguments& arguments) {
   std::string faults = reader.Faults();
   if (!faults.empty()) throw std::runtime_error(Joined(arguments.configs, ", ") + ": " + faults);
   if (!arguments.wrench_topic.empty()) options.reader.wrench_topic = arguments.wrench_topic;
-  if (arguments.segmentation == "contact")
-    options.reader.segmentation.segmentation = core::Segmentation::kContact;
-  if (arguments.segmentation == "action")
-    options.reader.segmentation.segmentation = core::Segmentation::kAction;
-  if (arguments.segmentation == "trigger")
-    options.reader.segmentation.segmentation = core::Segmentation::kTrigger;
+  if (arguments.segmentation == "contact") options.reader.segmentation.segmentation = core::Segmentation::kContact;
+  if (arguments.segmentation == "action") options.reader.segmentation.segmentation = core::Segmentation::kAction;
+  if (arguments.segmentation == "trigger") options.reader.segmentation.segmentation = core::Segmentation::kTrigger;
   return options;
 }
 
@@ -70,8 +65,7 @@ std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const 
     const auto incomplete = std::count_if(contents.episodes.begin(), contents.episodes.end(),
                                           [](const core::Episode& episode) { return !episode.complete; });
     if (incomplete > 0) {
-      remarks.push_back(Count(static_cast<std::size_t>(incomplete), "episode") +
-                        " incomplete: samples are missing");
+      remarks.push_back(Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete: samples are missing");
     }
     if (!remarks.empty()) {
       line.Clear();
@@ -88,16 +82,13 @@ void CheckOutput(const std::string& option, const std::string& path, const std::
   std::error_code ignored;
   const filesystem::path folder = filesystem::path(path).parent_path();
   const std::string folder_name = folder.empty() ? "." : folder.string();
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(option + " " + path + ": " + why);
-  };
+  const auto refuse = [&](const std::string& why) { throw std::runtime_error(option + " " + path + ": " + why); };
   if (path.empty()) refuse("expected the path of a file, but it is empty");
   if (!filesystem::is_directory(folder_name, ignored)) refuse("there is no folder " + folder_name);
   if (filesystem::is_directory(path, ignored)) refuse("expected a file, but it is a folder");
   if (access(folder_name.c_str(), W_OK) != 0) refuse("the folder " + folder_name + " cannot be written to");
   for (const std::string& bag : bags) {
-    if (filesystem::equivalent(path, bag, ignored))
-      refuse("it is one of the bags that are read; choose another name");
+    if (filesystem::equivalent(path, bag, ignored)) refuse("it is one of the bags that are read; choose another name");
   }
 }
 
@@ -140,18 +131,16 @@ std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episod
   }
   if (used.size() < 2) return std::nullopt;
   const auto size = static_cast<Eigen::Index>(used.size());
-  return OutcomeScores{used.size(),
-                       core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
-                                               Eigen::Map<const Eigen::VectorXi>(given.data(), size))};
+  return OutcomeScores{used.size(), core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
+                                                            Eigen::Map<const Eigen::VectorXi>(given.data(), size))};
 }
 
 void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels) {
   const std::optional<OutcomeScores> result = ScoreAgainstOutcomes(episodes, labels);
   if (!result) return;
-  std::printf(
-      "Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
-      result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,
-      result->scores.normalised_mutual_information, result->scores.accuracy);
+  std::printf("Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
+              result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,
+              result->scores.normalised_mutual_information, result->scores.accuracy);
 }
 
 }  // namespace contact_shapelets::cli

@@ -49,8 +49,7 @@ std::string StampText(const WrenchTopic& wrench) {
   const core::StreamSummary& stream = wrench.stream;
   if (stream.zero_stamps > 0 && stream.zero_stamps + stream.not_finite >= wrench.messages)
     return "none: header.stamp is zero";
-  const std::string zeros =
-      stream.zero_stamps > 0 ? ", " + std::to_string(stream.zero_stamps) + " of them zero" : "";
+  const std::string zeros = stream.zero_stamps > 0 ? ", " + std::to_string(stream.zero_stamps) + " of them zero" : "";
   const std::string side = stream.clock_offset < 0.0 ? " after" : " before";
   return "at least " + ShortTime(std::abs(stream.clock_offset)) + side + " the time of receipt" + zeros;
 }
@@ -61,8 +60,7 @@ std::string ForceText(const core::StreamSummary& stream) {
     text += std::string(1, "xyz"[axis]) + " " + Number(stream.least_components[axis], 2) + " to " +
             Number(stream.greatest_components[axis], 2) + ", ";
   }
-  return text + "magnitude " + Number(stream.least_force, 2) + " to " + Number(stream.greatest_force, 2) +
-         " N";
+  return text + "magnitude " + Number(stream.least_force, 2) + " to " + Number(stream.greatest_force, 2) + " N";
 }
 
 void PrintWrench(const WrenchTopic& wrench) {
@@ -70,26 +68,23 @@ void PrintWrench(const WrenchTopic& wrench) {
   std::vector<std::string> frames = wrench.frames;
   std::replace(frames.begin(), frames.end(), std::string(), std::string("(empty)"));
   std::cout << "  " << wrench.name << "  geometry_msgs/WrenchStamped, frame " << Joined(frames, ", ") << '\n';
-  const double received =
-      wrench.received_duration > 0.0 ? (wrench.messages - 1) / wrench.received_duration : 0.0;
+  const double received = wrench.received_duration > 0.0 ? (wrench.messages - 1) / wrench.received_duration : 0.0;
   Line("messages", std::to_string(wrench.messages) + " over " + Number(wrench.received_duration, 2) + " s, " +
                        Number(received, 1) + " Hz as received");
   Line("samples", std::to_string(stream.samples) + " used, " + std::to_string(stream.not_finite) +
                       " NaN or infinite, " + std::to_string(stream.repeated + stream.repeated_messages) +
                       " repeated, " + std::to_string(stream.out_of_order) + " out of order");
   if (stream.samples > 1) {
-    Line("intervals", "mean " + ShortTime(1.0 / stream.rate) + " (" + Number(stream.rate, 1) +
-                          " Hz), jitter " + ShortTime(stream.jitter) + ", " +
-                          Count(static_cast<std::size_t>(stream.gaps), "gap") + ", longest " +
-                          ShortTime(stream.longest_interval));
+    Line("intervals", "mean " + ShortTime(1.0 / stream.rate) + " (" + Number(stream.rate, 1) + " Hz), jitter " +
+                          ShortTime(stream.jitter) + ", " + Count(static_cast<std::size_t>(stream.gaps), "gap") +
+                          ", longest " + ShortTime(stream.longest_interval));
   }
   if (stream.samples > 0) {
     Line("stamps", StampText(wrench));
     Line("force", ForceText(stream));
   }
   for (std::size_t index = 0; index < wrench.found.size(); ++index) {
-    Line(index == 0 ? "episodes" : "",
-         Padded(wrench.found[index].way, 9) + EpisodesText(wrench.found[index]));
+    Line(index == 0 ? "episodes" : "", Padded(wrench.found[index].way, 9) + EpisodesText(wrench.found[index]));
   }
 }
 
@@ -104,8 +99,8 @@ void PrintModel(const core::Model& model) {
                         Number(*longest, 2) + " s, sample period " + Number(model.sample_period, 4) + " s");
   for (std::size_t index = 0; index < model.clusters.size(); ++index) {
     const core::Cluster& cluster = model.clusters[index];
-    Line("cluster " + std::to_string(index), Count(static_cast<std::size_t>(cluster.size), "episode") +
-                                                 ", event " + model.EventOf(static_cast<int>(index)) +
+    Line("cluster " + std::to_string(index), Count(static_cast<std::size_t>(cluster.size), "episode") + ", event " +
+                                                 model.EventOf(static_cast<int>(index)) +
                                                  (cluster.label.empty() ? " (not named)" : ""));
   }
   const core::Provenance& provenance = model.provenance;
@@ -124,9 +119,8 @@ void PrintTopics(const std::string& title, const std::vector<OtherTopic>& topics
   for (const OtherTopic& topic : topics) width = std::max(width, topic.name.size());
   std::cout << "  " << title << '\n';
   for (const OtherTopic& topic : topics) {
-    std::cout << "    " << Padded(topic.name, width + 2) << topic.type << ", "
-              << Count(topic.messages, "message") << (topic.contents.empty() ? "" : ": " + topic.contents)
-              << '\n';
+    std::cout << "    " << Padded(topic.name, width + 2) << topic.type << ", " << Count(topic.messages, "message")
+              << (topic.contents.empty() ? "" : ": " + topic.contents) << '\n';
   }
 }
 
@@ -172,8 +166,7 @@ void Inspect(const BagArguments& arguments) {
 }  // namespace
 
 void AddInspectCommand(CLI::App* app) {
-  CLI::App* command =
-      app->add_subcommand("inspect", "Says what is in bags, what is wrong with it, and what to do");
+  CLI::App* command = app->add_subcommand("inspect", "Says what is in bags, what is wrong with it, and what to do");
   const auto arguments = std::make_shared<BagArguments>();
   command->add_option("bags", arguments->bags, "Bags of any kind, models included")->required();
   command->add_option("--wrench-topic", arguments->wrench_topic, "Only this wrench (default: all of them)");

@@ -18,8 +18,7 @@ constexpr int kWrongUsage = 2;
 /// The message in one line: lists of faults have one in each.
 std::string OneLine(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at))
-    text.replace(at, 1, "; ");
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
   return text;
 }
 
@@ -38,8 +37,7 @@ std::string UnknownCommand(const CLI::App& app, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   ros::Time::init();
-  CLI::App app("Learns force patterns from recorded episodes, and names the outcome of new ones.",
-               "shapelets");
+  CLI::App app("Learns force patterns from recorded episodes, and names the outcome of new ones.", "shapelets");
   app.require_subcommand(1);
   contact_shapelets::cli::AddTrainCommand(&app);
   contact_shapelets::cli::AddClassifyCommand(&app);

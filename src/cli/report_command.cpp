@@ -37,8 +37,7 @@ void CreateFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder)) {
-    throw std::runtime_error("--out " + folder +
-                             ": expected a folder, but it cannot be made: " + error.message());
+    throw std::runtime_error("--out " + folder + ": expected a folder, but it cannot be made: " + error.message());
   }
 }
 
@@ -49,8 +48,7 @@ void Report(const Arguments& arguments) {
   contents.model = classifier.model();
   contents.model_file = arguments.model;
   contents.bags = arguments.bags.bags;
-  if (arguments.bags.configs.empty())
-    options.reader.segmentation.sample_period = contents.model.sample_period;
+  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = contents.model.sample_period;
   CreateFolder(arguments.folder);
   const std::string page_path = (std::filesystem::path(arguments.folder) / "index.html").string();
   const std::string table_path = (std::filesystem::path(arguments.folder) / "episodes.csv").string();
@@ -76,8 +74,7 @@ void AddReportCommand(CLI::App* app) {
   const auto arguments = std::make_shared<Arguments>();
   command->add_option("model", arguments->model, "The model file")->required();
   AddBagArguments(command, &arguments->bags);
-  command->add_option("--out", arguments->folder, "The folder to write index.html and episodes.csv to")
-      ->required();
+  command->add_option("--out", arguments->folder, "The folder to write index.html and episodes.csv to")->required();
   command->callback([arguments] { Report(*arguments); });
 }
 

@@ -54,17 +54,17 @@ std::vector<std::size_t> NovelEpisodes(const ReportContents& contents) {
 
 std::string Summary(const ReportContents& contents) {
   const std::size_t novel = NovelEpisodes(contents).size();
-  std::string text = Escaped(
-      Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
-      " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
-      Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
+  std::string text =
+      Escaped(Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
+              " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
+              Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
   const auto agreement = ScoreAgainstOutcomes(contents.episodes, NearestClusters(contents.results));
   if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
   const core::PartitionScores& scores = agreement->scores;
-  return Paragraph(
-      text + " Against the outcomes given for " + Count(agreement->episodes, "episode") + ": Rand index <b>" +
-      Number(scores.rand_index, 4) + "</b>, ARI " + Number(scores.adjusted_rand_index, 4) + ", NMI " +
-      Number(scores.normalised_mutual_information, 4) + ", accuracy " + Number(scores.accuracy, 4) + ".");
+  return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +
+                   ": Rand index <b>" + Number(scores.rand_index, 4) + "</b>, ARI " +
+                   Number(scores.adjusted_rand_index, 4) + ", NMI " + Number(scores.normalised_mutual_information, 4) +
+                   ", accuracy " + Number(scores.accuracy, 4) + ".");
 }
 
 std::string ProvenanceTable(const ReportContents& contents) {
@@ -74,12 +74,11 @@ std::string ProvenanceTable(const ReportContents& contents) {
   for (const double scale : provenance.selected_scales) scales.push_back(Number(scale, 2));
   std::string table = "<table>\n";
   table += Row({"Model", model.id + " in " + contents.model_file});
-  table += Row({"Trained on", Count(static_cast<std::size_t>(provenance.training_episodes), "episode") +
-                                  " of " + Number(provenance.typical_duration, 2) + " s (median) from " +
+  table += Row({"Trained on", Count(static_cast<std::size_t>(provenance.training_episodes), "episode") + " of " +
+                                  Number(provenance.typical_duration, 2) + " s (median) from " +
                                   Joined(provenance.sources, ", ")});
-  table +=
-      Row({"Shapelets", std::to_string(model.shapelets.size()) + ", learned by the " + provenance.objective +
-                            " objective with seed " + std::to_string(provenance.seed)});
+  table += Row({"Shapelets", std::to_string(model.shapelets.size()) + ", learned by the " + provenance.objective +
+                                 " objective with seed " + std::to_string(provenance.seed)});
   table += Row({"Scales", Joined(scales, ", ") + " of the typical duration"});
   table += Row({"Sample period", Number(model.sample_period, 4) + " s"});
   table += Row({"Bags of this report", Joined(contents.bags, ", ")});
@@ -111,8 +110,8 @@ std::string ConfusionTable(const ReportContents& contents) {
 }
 
 std::string ClusterTable(const ReportContents& contents) {
-  std::string table = "<table>\n" + Row({"", "event", "in training", "here", "of them novel",
-                                         "median duration [s]", "median peak [N]", "median confidence"},
+  std::string table = "<table>\n" + Row({"", "event", "in training", "here", "of them novel", "median duration [s]",
+                                         "median peak [N]", "median confidence"},
                                         "th");
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     const std::vector<std::size_t> members = MembersOf(contents, cluster);
@@ -126,11 +125,10 @@ std::string ClusterTable(const ReportContents& contents) {
       confidences.push_back(contents.results[member].diagnosis.confidence);
       novel += contents.results[member].diagnosis.cluster < 0 ? 1 : 0;
     }
-    std::string row =
-        Row({contents.model.EventOf(cluster),
-             std::to_string(contents.model.clusters[static_cast<std::size_t>(cluster)].size),
-             std::to_string(members.size()), std::to_string(novel), Number(Median(durations), 2),
-             Number(Median(peaks), 1), Number(Median(confidences), 2)});
+    std::string row = Row({contents.model.EventOf(cluster),
+                           std::to_string(contents.model.clusters[static_cast<std::size_t>(cluster)].size),
+                           std::to_string(members.size()), std::to_string(novel), Number(Median(durations), 2),
+                           Number(Median(peaks), 1), Number(Median(confidences), 2)});
     row.insert(4, "<td><span class=\"mark\" style=\"background:" + ClusterColour(cluster) + "\"></span>" +
                       std::to_string(cluster) + "</td>");
     table += row;
@@ -148,8 +146,7 @@ std::string ShapeletTable(const ReportContents& contents, const std::vector<Eige
     const core::Shapelet& shapelet = contents.model.shapelets[static_cast<std::size_t>(index)];
     std::vector<std::string> cells{
         std::to_string(index),
-        Number(static_cast<double>(shapelet.values.size()) * shapelet.dilation * contents.model.sample_period,
-               2)};
+        Number(static_cast<double>(shapelet.values.size()) * shapelet.dilation * contents.model.sample_period, 2)};
     for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
       double sum = 0.0;
       const std::vector<std::size_t> members = MembersOf(contents, cluster);
@@ -163,15 +160,12 @@ std::string ShapeletTable(const ReportContents& contents, const std::vector<Eige
 
 std::string ClusterSection(const ReportContents& contents, int cluster) {
   const std::vector<std::size_t> members = MembersOf(contents, cluster);
-  std::string section =
-      Heading("Cluster " + std::to_string(cluster) + ": " + contents.model.EventOf(cluster));
+  std::string section = Heading("Cluster " + std::to_string(cluster) + ": " + contents.model.EventOf(cluster));
   if (members.empty()) return section + Paragraph("No episode of these bags is nearest to this cluster.");
   const std::size_t example = TypicalMember(contents, cluster, members);
   section += TypicalPlot(contents, cluster);
-  const std::vector<Eigen::Index> shapelets =
-      FindTellingShapelets(contents, cluster, example, kTellingShapelets);
-  if (shapelets.empty())
-    return section + Paragraph("No shapelet tells these episodes from others in these bags.");
+  const std::vector<Eigen::Index> shapelets = FindTellingShapelets(contents, cluster, example, kTellingShapelets);
+  if (shapelets.empty()) return section + Paragraph("No shapelet tells these episodes from others in these bags.");
   section += Paragraph(
       "The shapelets that tell this cluster from the others best, over its most typical episode, where they "
       "matched: each is scaled to the force there, as the matching does. Their distances are in brackets.");
@@ -205,15 +199,13 @@ std::string NovelSection(const ReportContents& contents) {
 }
 
 std::string EpisodeTable(const ReportContents& contents) {
-  std::string table =
-      "<details><summary>All " + Count(contents.episodes.size(), "episode") + "</summary>\n<table>\n";
-  table += Row({"episode", "start (UTC)", "duration [s]", "outcome given", "event", "confidence", "novelty"},
-               "th");
+  std::string table = "<details><summary>All " + Count(contents.episodes.size(), "episode") + "</summary>\n<table>\n";
+  table += Row({"episode", "start (UTC)", "duration [s]", "outcome given", "event", "confidence", "novelty"}, "th");
   for (std::size_t index = 0; index < contents.episodes.size(); ++index) {
     const core::Episode& episode = contents.episodes[index];
     const core::Diagnosis& diagnosis = contents.results[index].diagnosis;
-    table += Row({episode.id, DateText(episode.start), Number(episode.duration(), 2), episode.outcome,
-                  diagnosis.event, Number(diagnosis.confidence, 2), Number(diagnosis.novelty, 2)});
+    table += Row({episode.id, DateText(episode.start), Number(episode.duration(), 2), episode.outcome, diagnosis.event,
+                  Number(diagnosis.confidence, 2), Number(diagnosis.novelty, 2)});
   }
   return table + "</table>\n</details>\n";
 }

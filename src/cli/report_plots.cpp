@@ -75,8 +75,7 @@ AlignedMembers Align(const ReportContents& contents, int cluster) {
 }
 
 /// The quantile of the members' forces at each time where at least half of them have one.
-std::vector<PlotPoint> QuantileCurve(const ReportContents& contents, const AlignedMembers& members,
-                                     double quantile) {
+std::vector<PlotPoint> QuantileCurve(const ReportContents& contents, const AlignedMembers& members, double quantile) {
   std::vector<PlotPoint> curve;
   for (Eigen::Index sample = 0; sample < members.length; ++sample) {
     std::vector<double> values;
@@ -194,8 +193,8 @@ std::vector<std::size_t> MembersOf(const ReportContents& contents, int cluster) 
   return members;
 }
 
-std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster,
-                                               std::size_t example, std::size_t count) {
+std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster, std::size_t example,
+                                               std::size_t count) {
   const Eigen::ArrayXf separations = Separations(contents, cluster);
   const core::ShapeletDistances& features = contents.results[example].features;
   std::vector<Eigen::Index> candidates;
@@ -208,22 +207,19 @@ std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, i
   std::vector<Eigen::Index> chosen;
   for (const Eigen::Index candidate : candidates) {
     const auto hides = [&](Eigen::Index better) { return Overlap(features, better, candidate); };
-    if (chosen.size() < count && std::none_of(chosen.begin(), chosen.end(), hides))
-      chosen.push_back(candidate);
+    if (chosen.size() < count && std::none_of(chosen.begin(), chosen.end(), hides)) chosen.push_back(candidate);
   }
   return chosen;
 }
 
-std::size_t TypicalMember(const ReportContents& contents, int cluster,
-                          const std::vector<std::size_t>& members) {
+std::size_t TypicalMember(const ReportContents& contents, int cluster, const std::vector<std::size_t>& members) {
   const auto distance = [&](std::size_t member) {
     const Eigen::VectorXf features =
         contents.model.Features(contents.results[member].features.distances.transpose()).transpose();
     return (features - contents.model.clusters[static_cast<std::size_t>(cluster)].centroid).norm();
   };
-  return *std::min_element(members.begin(), members.end(), [&](std::size_t first, std::size_t second) {
-    return distance(first) < distance(second);
-  });
+  return *std::min_element(members.begin(), members.end(),
+                           [&](std::size_t first, std::size_t second) { return distance(first) < distance(second); });
 }
 
 std::string OverviewPlot(const ReportContents& contents) {
@@ -250,8 +246,7 @@ std::string TypicalPlot(const ReportContents& contents, int cluster) {
   return plot.Text();
 }
 
-std::string MatchPlot(const ReportContents& contents, std::size_t episode,
-                      const std::vector<Eigen::Index>& shapelets) {
+std::string MatchPlot(const ReportContents& contents, std::size_t episode, const std::vector<Eigen::Index>& shapelets) {
   std::vector<std::vector<PlotPoint>> curves{ForceCurve(contents, episode)};
   for (const Eigen::Index shapelet : shapelets) curves.push_back(MatchCurve(contents, episode, shapelet));
   SvgPlot plot = ForceAxes(curves);
@@ -270,14 +265,13 @@ std::string NoveltyPlot(const ReportContents& contents) {
     greatest = std::max(greatest, static_cast<double>(result.diagnosis.novelty));
   }
   const auto last = static_cast<double>(contents.results.size());
-  SvgPlot plot({"episode, in the order of the bags", 0.0, last + 1.0}, {"novelty", 0.0, 1.1 * greatest},
-               kWidth, kHeight);
+  SvgPlot plot({"episode, in the order of the bags", 0.0, last + 1.0}, {"novelty", 0.0, 1.1 * greatest}, kWidth,
+               kHeight);
   plot.AddLine({{0.0, 1.0}, {last + 1.0, 1.0}}, "#999999", 1.0, "limit");
   for (std::size_t index = 0; index < contents.results.size(); ++index) {
     const core::Diagnosis& diagnosis = DiagnosisOf(contents, index);
-    plot.AddDot(
-        {static_cast<double>(index) + 1.0, diagnosis.novelty}, ClusterColour(diagnosis.nearest_cluster),
-        contents.episodes[index].id + ": " + diagnosis.event + ", novelty " + Number(diagnosis.novelty, 2));
+    plot.AddDot({static_cast<double>(index) + 1.0, diagnosis.novelty}, ClusterColour(diagnosis.nearest_cluster),
+                contents.episodes[index].id + ": " + diagnosis.event + ", novelty " + Number(diagnosis.novelty, 2));
   }
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     plot.AddLegend(ClusterColour(cluster), "nearest to " + contents.model.EventOf(cluster));
@@ -296,8 +290,7 @@ std::string NovelPlot(const ReportContents& contents, std::size_t episode) {
   if (!known.empty()) {
     const std::size_t member = TypicalMember(contents, cluster, known);
     typical = ForceCurve(contents, member);
-    typical_label =
-        "most typical of " + contents.model.EventOf(cluster) + ": " + contents.episodes[member].id;
+    typical_label = "most typical of " + contents.model.EventOf(cluster) + ": " + contents.episodes[member].id;
   }
   SvgPlot plot = ForceAxes({force, typical});
   if (!typical.empty()) plot.AddLine(typical, ClusterColour(cluster), 1.4, typical_label);

@@ -23,20 +23,18 @@ std::vector<std::size_t> MembersOf(const ReportContents& contents, int cluster);
 /// A shapelet separates two clusters by the difference of its mean distances over the sum of the standard
 /// deviations; what counts is the least of a cluster's separations from the others. None where no shapelet
 /// lies nearer to the cluster than to all others, or no other cluster has episodes.
-std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster,
-                                               std::size_t example, std::size_t count);
+std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster, std::size_t example,
+                                               std::size_t count);
 
 /// The member whose features lie nearest to the cluster's centroid. `members` holds at least one.
-std::size_t TypicalMember(const ReportContents& contents, int cluster,
-                          const std::vector<std::size_t>& members);
+std::size_t TypicalMember(const ReportContents& contents, int cluster, const std::vector<std::size_t>& members);
 
 /// The median force of each cluster over time, its episodes shifted to lie over the most typical one.
 std::string OverviewPlot(const ReportContents& contents);
 /// The same of one cluster, which has members, within the band that holds 80 % of them.
 std::string TypicalPlot(const ReportContents& contents, int cluster);
 /// The force of an episode, with shapelets drawn where they matched.
-std::string MatchPlot(const ReportContents& contents, std::size_t episode,
-                      const std::vector<Eigen::Index>& shapelets);
+std::string MatchPlot(const ReportContents& contents, std::size_t episode, const std::vector<Eigen::Index>& shapelets);
 /// The novelty of all episodes in the order of their recording, with the limit.
 std::string NoveltyPlot(const ReportContents& contents);
 /// The force of one episode, and that of the nearest cluster that is most typical.

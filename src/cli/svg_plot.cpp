@@ -25,8 +25,7 @@ double TickStep(double extent, int count) {
 
 std::vector<double> Ticks(const PlotAxis& axis, double step) {
   std::vector<double> ticks;
-  for (double index = std::ceil(axis.least / step - 1e-9); index * step <= axis.greatest + 1e-9 * step;
-       ++index) {
+  for (double index = std::ceil(axis.least / step - 1e-9); index * step <= axis.greatest + 1e-9 * step; ++index) {
     ticks.push_back(index * step);
   }
   return ticks;
@@ -34,21 +33,20 @@ std::vector<double> Ticks(const PlotAxis& axis, double step) {
 
 std::string TickText(double value, double step) {
   const double decimals = -std::floor(std::log10(step) + 1e-9);
-  return Number(std::abs(value) < 1e-9 * step ? 0.0 : value,
-                static_cast<int>(std::clamp(decimals, 0.0, 6.0)));
+  return Number(std::abs(value) < 1e-9 * step ? 0.0 : value, static_cast<int>(std::clamp(decimals, 0.0, 6.0)));
 }
 
 std::string Pixel(double value) { return Number(value, 1); }
 
 std::string LineElement(PlotPoint from, PlotPoint to, const std::string& css) {
-  return "<line class=\"" + css + "\" x1=\"" + Pixel(from.x) + "\" y1=\"" + Pixel(from.y) + "\" x2=\"" +
-         Pixel(to.x) + "\" y2=\"" + Pixel(to.y) + "\"/>\n";
+  return "<line class=\"" + css + "\" x1=\"" + Pixel(from.x) + "\" y1=\"" + Pixel(from.y) + "\" x2=\"" + Pixel(to.x) +
+         "\" y2=\"" + Pixel(to.y) + "\"/>\n";
 }
 
 std::string TextElement(PlotPoint at, const std::string& anchor, const std::string& text,
                         const std::string& more = "") {
-  return "<text x=\"" + Pixel(at.x) + "\" y=\"" + Pixel(at.y) + "\" text-anchor=\"" + anchor + "\"" + more +
-         ">" + Escaped(text) + "</text>\n";
+  return "<text x=\"" + Pixel(at.x) + "\" y=\"" + Pixel(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
+         Escaped(text) + "</text>\n";
 }
 
 PlotAxis Widened(PlotAxis axis) {
@@ -110,20 +108,17 @@ void SvgPlot::AddBand(const std::vector<PlotPoint>& upper, const std::vector<Plo
                       const std::string& colour, const std::string& label) {
   std::vector<PlotPoint> outline = upper;
   outline.insert(outline.end(), lower.rbegin(), lower.rend());
-  drawings_ +=
-      "<polygon fill=\"" + colour + "\" fill-opacity=\"0.22\" points=\"" + PathOf(outline) + "\"/>\n";
+  drawings_ += "<polygon fill=\"" + colour + "\" fill-opacity=\"0.22\" points=\"" + PathOf(outline) + "\"/>\n";
   if (!label.empty()) AddLegend(colour, label);
 }
 
 void SvgPlot::AddDot(const PlotPoint& point, const std::string& colour, const std::string& title) {
   const PlotPoint pixel = ToPixels(point);
-  drawings_ += "<circle cx=\"" + Pixel(pixel.x) + "\" cy=\"" + Pixel(pixel.y) + "\" r=\"3.5\" fill=\"" +
-               colour + "\"><title>" + Escaped(title) + "</title></circle>\n";
+  drawings_ += "<circle cx=\"" + Pixel(pixel.x) + "\" cy=\"" + Pixel(pixel.y) + "\" r=\"3.5\" fill=\"" + colour +
+               "\"><title>" + Escaped(title) + "</title></circle>\n";
 }
 
-void SvgPlot::AddLegend(const std::string& colour, const std::string& label) {
-  legend_.emplace_back(colour, label);
-}
+void SvgPlot::AddLegend(const std::string& colour, const std::string& label) { legend_.emplace_back(colour, label); }
 
 std::string SvgPlot::Grid() const {
   std::string grid;
@@ -156,16 +151,15 @@ std::string SvgPlot::Legend() const {
 
 std::string SvgPlot::Text() const {
   const std::string size = std::to_string(width_) + " " + std::to_string(height_);
-  const std::string frame = "x=\"" + std::to_string(kLeft) + "\" y=\"" + std::to_string(kTop) +
-                            "\" width=\"" + std::to_string(width_ - kLeft - kRight) + "\" height=\"" +
+  const std::string frame = "x=\"" + std::to_string(kLeft) + "\" y=\"" + std::to_string(kTop) + "\" width=\"" +
+                            std::to_string(width_ - kLeft - kRight) + "\" height=\"" +
                             std::to_string(height_ - kTop - kBottom) + "\"";
   // A nested svg element cuts what is drawn outside of the axes, without an identifier that must be unique in
   // the page.
   return "<figure>\n" + Legend() + "<svg viewBox=\"0 0 " + size + "\" width=\"" + std::to_string(width_) +
-         "\" height=\"" + std::to_string(height_) + "\" role=\"img\">\n" + Grid() + "<svg " + frame +
-         " viewBox=\"" + std::to_string(kLeft) + " " + std::to_string(kTop) + " " +
-         std::to_string(width_ - kLeft - kRight) + " " + std::to_string(height_ - kTop - kBottom) + "\">\n" +
-         drawings_ + "</svg>\n</svg>\n</figure>\n";
+         "\" height=\"" + std::to_string(height_) + "\" role=\"img\">\n" + Grid() + "<svg " + frame + " viewBox=\"" +
+         std::to_string(kLeft) + " " + std::to_string(kTop) + " " + std::to_string(width_ - kLeft - kRight) + " " +
+         std::to_string(height_ - kTop - kBottom) + "\">\n" + drawings_ + "</svg>\n</svg>\n</figure>\n";
 }
 
 }  // namespace contact_shapelets::cli

@@ -35,8 +35,8 @@ class SvgPlot {
   void AddLine(const std::vector<PlotPoint>& points, const std::string& colour, double thickness,
                const std::string& label = "");
   /// A translucent band between two lines of the same x.
-  void AddBand(const std::vector<PlotPoint>& upper, const std::vector<PlotPoint>& lower,
-               const std::string& colour, const std::string& label = "");
+  void AddBand(const std::vector<PlotPoint>& upper, const std::vector<PlotPoint>& lower, const std::string& colour,
+               const std::string& label = "");
   /// A dot whose `title` shows where the pointer rests on it.
   void AddDot(const PlotPoint& point, const std::string& colour, const std::string& title);
   /// Adds an entry to the list above the plot.

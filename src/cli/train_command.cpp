@@ -31,8 +31,7 @@ void CheckNoRecording(const std::string& path) {
   rosbag::Bag bag;
   OpenBag(path, &bag);
   if (BagTopics(bag).OfType("contact_shapelets/ShapeletModel").empty()) {
-    throw std::runtime_error("--model " + path +
-                             ": expected a new file or an older model, but found another bag; " +
+    throw std::runtime_error("--model " + path + ": expected a new file or an older model, but found another bag; " +
                              "choose another name");
   }
 }
@@ -50,12 +49,11 @@ core::TrainingResult TrainWithProgress(const std::vector<core::Episode>& episode
   }
 }
 
-void PrintTraining(const core::TrainingResult& result, const std::vector<core::Episode>& episodes,
-                   double seconds) {
+void PrintTraining(const core::TrainingResult& result, const std::vector<core::Episode>& episodes, double seconds) {
   const core::Provenance& provenance = result.model.provenance;
   const std::string outcomes = CountsText(CountOutcomes(episodes));
-  std::printf("%s of %.2f s (median)%s%s%s\n", Count(episodes.size(), "episode").c_str(),
-              provenance.typical_duration, outcomes.empty() ? "" : ", with outcomes ", outcomes.c_str(),
+  std::printf("%s of %.2f s (median)%s%s%s\n", Count(episodes.size(), "episode").c_str(), provenance.typical_duration,
+              outcomes.empty() ? "" : ", with outcomes ", outcomes.c_str(),
               outcomes.empty() ? "" : " (not used to learn)");
   std::vector<std::string> scales;
   for (const double scale : provenance.selected_scales) {
@@ -81,8 +79,7 @@ void PrintClusters(const core::TrainingResult& result, const std::vector<core::E
                 result.model.EventOf(static_cast<int>(index)).c_str(), outcomes.empty() ? "" : ": ",
                 CountsText(outcomes).c_str());
   }
-  if (unnamed)
-    std::printf("Clusters without a name get one by the service ~name_cluster of classifier_node.\n");
+  if (unnamed) std::printf("Clusters without a name get one by the service ~name_cluster of classifier_node.\n");
 }
 
 void Train(const Arguments& arguments) {
@@ -112,8 +109,7 @@ void AddTrainCommand(CLI::App* app) {
   command->add_option("--model", arguments->model, "The model file to write")->required();
   command->add_option("--clusters", arguments->clusters, "Number of clusters (default: of the config, 3)")
       ->check(CLI::Range(2, 1000));
-  command->add_option("--seed", arguments->seed, "Equal seeds give equal models")
-      ->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", arguments->seed, "Equal seeds give equal models")->check(CLI::NonNegativeNumber);
   command->callback([arguments] { Train(*arguments); });
 }
 

@@ -14,11 +14,12 @@ namespace contact_shapelets::core {
 /// Learns the shapelets of one bank: stochastic gradient steps of Adam on the objective of the paper (equation 6).
 ///
 /// Each step is a sum over a batch of series: their best matches, then an exchange of the N x K distances, then each
-/// shapelet's own gradient. Batches are what keeps memory and time from growing with the square of the number of series.
+/// shapelet's own gradient. Batches are what keeps memory and time from growing with the square of the number of
+/// series.
 class BankLearner {
  public:
-  /// `series` are z-normalised and outlive the learner; `start` is [K, M]; `typical_length` is what series are stretched to
-  /// for their similarity G.
+  /// `series` are z-normalised and outlive the learner; `start` is [K, M]; `typical_length` is what series are
+  /// stretched to for their similarity G.
   BankLearner(const std::vector<Eigen::VectorXf>& series, int typical_length,
               const Eigen::Ref<const Eigen::MatrixXf>& start, const LearnerOptions& options, std::uint64_t seed,
               int threads);
@@ -26,8 +27,8 @@ class BankLearner {
   /// One step on a random batch. Returns the objective before the step.
   double Step();
 
-  /// The objective and its gradient by the raw shapelets [K, M], for the given series (indices), without the L1 term, which
-  /// is handled by its proximal step.
+  /// The objective and its gradient by the raw shapelets [K, M], for the given series (indices), without the L1 term,
+  /// which is handled by its proximal step.
   double Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gradient);
 
   /// The raw shapelets [K, M]; zeros at their ends are what the L1 term cut.
@@ -54,8 +55,8 @@ class BankLearner {
   Eigen::MatrixXd second_moment_;
   int step_ = 0;
   double objective_ = 0.0;
-  std::vector<std::unique_ptr<WindowSet>> windows_;   ///< of each series, made when first needed
-  std::vector<std::vector<Match>> matches_;           ///< of each series at the last step that it took part in
+  std::vector<std::unique_ptr<WindowSet>> windows_;  ///< of each series, made when first needed
+  std::vector<std::vector<Match>> matches_;          ///< of each series at the last step that it took part in
 };
 
 }  // namespace contact_shapelets::core

@@ -58,8 +58,8 @@ Eigen::MatrixXf Distances(const std::vector<Shapelet>& shapelets, double flat_fr
   return distances;
 }
 
-/// The trainer and classifier of this package. Features are the distances to the start shapelets, which only vote, and to the
-/// learned ones, side by side.
+/// The trainer and classifier of this package. Features are the distances to the start shapelets, which only vote, and
+/// to the learned ones, side by side.
 class StneClusterer : public Clusterer {
  public:
   explicit StneClusterer(const TrainerOptions& options) : options_(options) {}

@@ -13,12 +13,11 @@ constexpr int kJoints = 7;
 
 Wrench FlangeWrench(const ArmGeometry& geometry, const Eigen::Ref<const Eigen::VectorXd>& positions,
                     const Eigen::Ref<const Eigen::VectorXd>& torques, double damping) {
-  const std::array<Eigen::Vector3d, kJoints> axes{Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(),
-                                                  Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY(),
-                                                  Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(),
-                                                  Eigen::Vector3d::UnitZ()};
-  const std::array<double, kJoints> before{
-      geometry.base_to_shoulder, 0.0, 0.0, geometry.shoulder_to_elbow, 0.0, geometry.elbow_to_wrist, 0.0};
+  const std::array<Eigen::Vector3d, kJoints> axes{
+      Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY(),
+      Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  const std::array<double, kJoints> before{geometry.base_to_shoulder, 0.0, 0.0, geometry.shoulder_to_elbow, 0.0,
+                                           geometry.elbow_to_wrist,   0.0};
   std::array<Eigen::Vector3d, kJoints> origins;
   std::array<Eigen::Vector3d, kJoints> directions;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();

@@ -34,8 +34,7 @@ double Evaluate(const WindowSet& windows, const float* shapelet, int window, int
   const int overlap = length - std::abs(shift);
   const Eigen::Map<const Eigen::VectorXf> values(shapelet + std::max(0, -shift), overlap);
   const auto samples = windows.series().segment(window + std::max(0, shift), overlap);
-  const double sum =
-      values.cast<double>().dot((samples.cast<double>().array() - windows.mean()[window]).matrix());
+  const double sum = values.cast<double>().dot((samples.cast<double>().array() - windows.mean()[window]).matrix());
   return sum * windows.inverse_deviation()[window] / length;
 }
 

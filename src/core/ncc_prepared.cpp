@@ -9,8 +9,8 @@ namespace {
 using tile::kGroup;
 using tile::kPadding;
 
-/// By Cauchy and Schwarz the rounding of a sum in single precision is at most some 6e-8 of the norm of the values near a
-/// window; where that is too much for the window's deviation, the window is summed up in double precision.
+/// By Cauchy and Schwarz the rounding of a sum in single precision is at most some 6e-8 of the norm of the values near
+/// a window; where that is too much for the window's deviation, the window is summed up in double precision.
 constexpr double kHardRatio = 150.0;
 /// M sigma of a window that does not count: no sum exceeds it.
 constexpr float kNever = 1e30F;
@@ -52,10 +52,12 @@ class SlidingMaxima {
   Eigen::ArrayXf maxima_;
 };
 
-/// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the most.
+/// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the
+/// most.
 int BlockSize(int length) { return std::max(std::clamp(length / 8, 2, 8), (length - 2) / tile::kBlocks + 1); }
 
-OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eigen::MatrixXf>& normalised, bool reverse) {
+OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eigen::MatrixXf>& normalised,
+                   bool reverse) {
   const int length = prepared.length;
   OverlapSide side;
   side.values = Eigen::MatrixXf::Zero(kGroup, length * prepared.groups);
@@ -150,12 +152,12 @@ void PreparedWindows::FillWindows(const WindowSet& windows) {
 void PreparedWindows::FillBounds(const tile::Loops& loops, bool prune) {
   const int tiles = full_tiles() + 2 * further_tiles_;
   const Eigen::ArrayXf energy_scale = scale_.square() * static_cast<float>(length_);
-  // The sums are rounded to 6e-8 of themselves. By Cauchy and Schwarz, a product of a mean and a sum is under the squares'
-  // sum times the root of how often the window fits.
+  // The sums are rounded to 6e-8 of themselves. By Cauchy and Schwarz, a product of a mean and a sum is under the
+  // squares' sum times the root of how often the window fits.
   const float squares = squares_[squares_.size() - 1];
   const float rounding = 1e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
-  tile::EnergyArguments arguments{sums_.data() + margin_, squares_.data() + margin_, mean(), energy_scale.data() + margin_,
-                                  rounding,               0,                         0,      count_};
+  tile::EnergyArguments arguments{
+      sums_.data() + margin_, squares_.data() + margin_, mean(), energy_scale.data() + margin_, rounding, 0, 0, count_};
   SlidingMaxima scales(count_, margin_);
   std::copy_n(this->scale(), count_, scales.values());
   scales.Slide();

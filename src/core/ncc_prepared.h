@@ -30,7 +30,8 @@ struct PreparedShapelets {
   OverlapSide suffix;
 };
 
-/// A stretch of windows, on values centred on their own mean; positions are counted from the first window of the stretch.
+/// A stretch of windows, on values centred on their own mean; positions are counted from the first window of the
+/// stretch.
 class PreparedWindows {
  public:
   /// Takes `count` windows from `first` on.

@@ -6,7 +6,8 @@
 #include "core/ncc_tile.h"
 
 /// \file
-/// The transform-free search with its inner loops as an argument, so that each instruction set can be tested on one machine.
+/// The transform-free search with its inner loops as an argument, so that each instruction set can be tested on one
+/// machine.
 
 namespace contact_shapelets::core {
 

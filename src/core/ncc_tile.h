@@ -1,13 +1,14 @@
 #pragma once
 
 /// \file
-/// The inner loops of the transform-free kernel, built once per instruction set. Plain pointers only: inline code of the
-/// standard library or of Eigen, built here with wide vectors, could end up in programs on machines without them.
+/// The inner loops of the transform-free kernel, built once per instruction set. Plain pointers only: inline code of
+/// the standard library or of Eigen, built here with wide vectors, could end up in programs on machines without them.
 ///
 /// Loops go over tiles: neighbouring positions of the shapelet's first sample, of which a few vectors stay in registers
-/// while the overlap changes. Position p and an overlap of L samples belong to one window: p + L - M where the shapelet's
-/// first L samples overlap (w > 0), p + M - L where its last L do (w < 0). The second case is the first one mirrored, so both
-/// share their loops: `direction` is 1 or -1, and arrays by overlap begin at the end of the shapelet that always overlaps.
+/// while the overlap changes. Position p and an overlap of L samples belong to one window: p + L - M where the
+/// shapelet's first L samples overlap (w > 0), p + M - L where its last L do (w < 0). The second case is the first one
+/// mirrored, so both share their loops: `direction` is 1 or -1, and arrays by overlap begin at the end of the shapelet
+/// that always overlaps.
 
 namespace contact_shapelets::core::tile {
 
@@ -18,15 +19,15 @@ constexpr int kPair = 2;
 /// Readable floats that arrays by position or window have before their first and behind their last used value.
 constexpr int kPadding = 64;
 
-/// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count, rounded up to
-/// whole tiles, and the largest sum times scale.
+/// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count,
+/// rounded up to whole tiles, and the largest sum times scale.
 struct FullArguments {
   const float* series;     ///< at position 0
   const float* shapelets;  ///< of the group
   const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
   float* sums;
-  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]; -1 where no window of a tile counts, and `sums`
-                   ///< are left out
+  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]; -1 where no window of a tile counts, and
+                   ///< `sums` are left out
   int length;
   int count;
   int stride;
@@ -38,11 +39,12 @@ struct FullResult {
 
 /// Blocks that the M - 1 partial overlaps are divided into at the most, for bounds that all in a block share.
 constexpr int kBlocks = 16;
-/// What bounds the values of a tile in each block of overlaps: the largest ones of all windows that these reach. Zeros where
-/// there is no block.
+/// What bounds the values of a tile in each block of overlaps: the largest ones of all windows that these reach. Zeros
+/// where there is no block.
 struct Bounds {
-  float head[kBlocks];   ///< part of a window's energy within the overlap, [0, 1]
-  float tail[kBlocks];   ///< energy, about the window's mean, of what the shapelet's other samples fall on, over M sigma^2
+  float head[kBlocks];  ///< part of a window's energy within the overlap, [0, 1]
+  float
+      tail[kBlocks];  ///< energy, about the window's mean, of what the shapelet's other samples fall on, over M sigma^2
   float scale[kBlocks];  ///< 1 / (M sigma)
 };
 /// The same of a shapelet.
@@ -53,21 +55,21 @@ struct Energies {
 
 /// Partial overlaps of a pair of shapelets.
 struct PartialArguments {
-  const float* values;   ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
-  const float* within;   ///< by overlap from 0: the sum of the shapelet's values within, interleaved
-  const float* samples;  ///< of the series: the overlap's last sample at position 0 and overlap 1
-  const float* mean;     ///< mu of the window of position 0 and overlap 0
-  const float* spread;   ///< M sigma of that window; huge where a window does not count
-  const float* scale;    ///< 1 / (M sigma) of that window; 0 where a window does not count
-  const float* sums;     ///< full overlaps at position 0
-  const float* largest;  ///< full overlap by tile, interleaved; -1 where a tile has none
+  const float* values;       ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
+  const float* within;       ///< by overlap from 0: the sum of the shapelet's values within, interleaved
+  const float* samples;      ///< of the series: the overlap's last sample at position 0 and overlap 1
+  const float* mean;         ///< mu of the window of position 0 and overlap 0
+  const float* spread;       ///< M sigma of that window; huge where a window does not count
+  const float* scale;        ///< 1 / (M sigma) of that window; 0 where a window does not count
+  const float* sums;         ///< full overlaps at position 0
+  const float* largest;      ///< full overlap by tile, interleaved; -1 where a tile has none
   const Energies* energies;  ///< of the shapelets
   const Bounds* bounds;      ///< by tile
-  int length;            ///< M
-  int block;             ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
+  int length;                ///< M
+  int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
   int direction;
-  int stride;        ///< between the shapelets in `sums`
-  int full_tiles;    ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  int stride;         ///< between the shapelets in `sums`
+  int full_tiles;     ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
   float best[kPair];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
 };
 /// A value, and where it is.

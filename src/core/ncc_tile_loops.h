@@ -116,9 +116,9 @@ struct TileLoops {
     return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
-  /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at most the
-  /// root of the energies of both within the overlap; and it differs from the full overlap at the same position, measured
-  /// by the same window, at most by the root of the energies of both without.
+  /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at
+  /// most the root of the energies of both within the overlap; and it differs from the full overlap at the same
+  /// position, measured by the same window, at most by the root of the energies of both without.
   static Range UsefulOverlaps(const PartialArguments& arguments, int shapelet, int tile) {
     const Bounds& bounds = arguments.bounds[tile];
     const Energies& energies = arguments.energies[shapelet];
@@ -140,8 +140,8 @@ struct TileLoops {
     return {low * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
-  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time. They are kept with their sign turned:
-  /// what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
+  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
+  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
   template <int Shapelets>
   struct Sums {
     Vector turned[Shapelets][Vectors];
@@ -168,7 +168,7 @@ struct TileLoops {
   template <int Shapelets, typename Evaluate>
   static void Walk(const PartialArguments& arguments, int shapelet, int tile, Range range, Evaluate evaluate) {
     const int position = tile * kPositions;
-        Sums<Shapelets> sums{};
+    Sums<Shapelets> sums{};
     if (HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low) {
       for (int i = 0; i < Shapelets; ++i) {
         for (int v = 0; v < Vectors; ++v) {
@@ -191,8 +191,8 @@ struct TileLoops {
     }
   }
 
-  /// The sign of best M sigma - (A - mu S) tells whether the value exceeds the best: signs are collected by an OR, which
-  /// leaves the units that multiply and add to the sums.
+  /// The sign of best M sigma - (A - mu S) tells whether the value exceeds the best: signs are collected by an OR,
+  /// which leaves the units that multiply and add to the sums.
   template <int Shapelets>
   static bool AnyBetter(const PartialArguments& arguments, int shapelet, int tile, Range range) {
     Integers signs = {};

@@ -78,15 +78,13 @@ Term DiversityTerm(const Eigen::Ref<const Eigen::MatrixXd>& shapelets, double va
   Term term;
   term.value = squared_similarity.sum();
   const Eigen::VectorXd degree = squared_similarity.rowwise().sum();
-  term.gradient =
-      (-8.0 / variance) * (degree.asDiagonal() * shapelets - squared_similarity * shapelets);
+  term.gradient = (-8.0 / variance) * (degree.asDiagonal() * shapelets - squared_similarity * shapelets);
   return term;
 }
 
 void ShrinkToZero(double amount, Eigen::Ref<Eigen::MatrixXd> shapelets) {
-  shapelets = shapelets.unaryExpr([amount](double value) {
-    return std::copysign(std::max(std::abs(value) - amount, 0.0), value);
-  });
+  shapelets = shapelets.unaryExpr(
+      [amount](double value) { return std::copysign(std::max(std::abs(value) - amount, 0.0), value); });
 }
 
 }  // namespace contact_shapelets::core

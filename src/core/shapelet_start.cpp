@@ -21,8 +21,8 @@ bool IsFlat(const Eigen::Ref<const Eigen::VectorXf>& window, double flat_fractio
 
 }  // namespace
 
-Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int length, int count,
-                               double flat_fraction, int most_windows, std::uint64_t seed) {
+Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int length, int count, double flat_fraction,
+                               int most_windows, std::uint64_t seed) {
   const int stride = std::max(1, length / 8);
   std::vector<WindowPlace> places;
   for (int index = 0; index < static_cast<int>(series.size()); ++index) {

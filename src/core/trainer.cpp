@@ -40,7 +40,8 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
 }
 
 /// Distances F [N, K] of all episodes, one at a time per thread.
-Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const FeatureExtractor& extractor, int threads) {
+Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const FeatureExtractor& extractor,
+                             int threads) {
   Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
   ParallelFor(static_cast<int>(series.size()), threads, [&](int index) {
     distances.row(index) = extractor.Compute(series[static_cast<std::size_t>(index)]).distances.transpose();
@@ -111,8 +112,8 @@ std::string ModelDigest(const Model& model) {
   return text.str();
 }
 
-std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options,
-                                                 const ProgressCallback& progress) {
+std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::VectorXf>& series,
+                                                 const TrainerOptions& options, const ProgressCallback& progress) {
   bool cancelled = false;
   const double total = static_cast<double>(options.learner.scales.size()) * std::max(1, options.learner.steps);
   const auto on_step = [&](int bank, int step, double objective) {
@@ -186,7 +187,8 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   result.start_shapelets = StartShapeletsOf(banks, options.learner.shortest);
 
   const int threads = ThreadCount(options.threads);
-  const Eigen::MatrixXf distances = AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
+  const Eigen::MatrixXf distances =
+      AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
   const Eigen::MatrixXf start_distances =
       AllDistances(series, FeatureExtractor(result.start_shapelets, model.flat_fraction), threads);
   result.labels = VotedLabels(result, start_distances, distances, options);

@@ -92,8 +92,8 @@ core::Model FromMessage(const ShapeletModel& message) {
   model.flat_fraction = message.flat_fraction;
   model.log_offset = message.log_offset;
   for (const Shapelet& shapelet : message.shapelets) {
-    model.shapelets.push_back({static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation),
-                               FromList(shapelet.values)});
+    model.shapelets.push_back(
+        {static_cast<int>(shapelet.scale), static_cast<int>(shapelet.dilation), FromList(shapelet.values)});
   }
   for (std::size_t index = 0; index < message.centroids.size(); ++index) {
     const Centroid& centroid = message.centroids[index];

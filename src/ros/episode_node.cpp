@@ -97,8 +97,8 @@ void EpisodeNode::Subscribe() {
         node_handle_.subscribe(topics::kActionStatus, topics::kEdgeQueue, &EpisodeNode::OnStatus, this, no_delay);
   }
   // Only for waits that run out while no wrench arrives; whatever a wrench decides is published with it.
-  wait_timer_ = node_handle_.createWallTimer(ros::WallDuration(kTick),
-                                             [this](const ros::WallTimerEvent&) { LetTimePass(); });
+  wait_timer_ =
+      node_handle_.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) { LetTimePass(); });
   if (options_.progress_rate > 0.0) {
     progress_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0 / options_.progress_rate),
                                                    [this](const ros::WallTimerEvent&) { PublishProgress(); });

@@ -141,8 +141,8 @@ MessageDefinition::Field MessageDefinition::ParseField(const std::string& type, 
     field.array = true;
     field.count = type[bracket + 1] == ']' ? kAnyCount : std::stoi(type.substr(bracket + 1));
   }
-  const bool built_in = NumberTypes().count(field.type) > 0 || field.type == kString || field.type == "time" ||
-                        field.type == "duration";
+  const bool built_in =
+      NumberTypes().count(field.type) > 0 || field.type == kString || field.type == "time" || field.type == "duration";
   if (field.type == "Header") {
     field.type = "std_msgs/Header";
   } else if (!built_in && field.type.find('/') == std::string::npos) {

@@ -42,7 +42,8 @@ float RandIndexOf(const std::vector<core::Episode>& episodes, const Eigen::Ref<c
 TrainerNode::TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle)
     : node_handle_(node_handle),
       private_node_handle_(private_node_handle),
-      server_(node_handle_, "train", [this](const TrainGoalConstPtr& goal) { OnGoal(goal); }, false) {
+      server_(
+          node_handle_, "train", [this](const TrainGoalConstPtr& goal) { OnGoal(goal); }, false) {
   model_publisher_ = node_handle_.advertise<ShapeletModel>(topics::kModel, 1, true);
   ReadParameters();
   updater_.setHardwareID("none");
@@ -91,15 +92,16 @@ void TrainerNode::TrainAtStart() {
 void TrainerNode::OnGoal(const TrainGoalConstPtr& goal) {
   const auto greatest = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
   const int clusters = goal->clusters > 0 ? static_cast<int>(std::min(goal->clusters, greatest)) : options_.clusters;
-  const TrainResult result = Train({goal->bags, goal->output, clusters}, [this](const core::TrainingProgress& progress) {
-    TrainFeedback feedback;
-    feedback.candidate = static_cast<std::uint32_t>(progress.candidate);
-    feedback.step = static_cast<std::uint32_t>(progress.step);
-    feedback.objective = static_cast<float>(progress.objective);
-    feedback.fraction_done = static_cast<float>(progress.fraction_done);
-    server_.publishFeedback(feedback);
-    return !server_.isPreemptRequested() && ros::ok();
-  });
+  const TrainResult result =
+      Train({goal->bags, goal->output, clusters}, [this](const core::TrainingProgress& progress) {
+        TrainFeedback feedback;
+        feedback.candidate = static_cast<std::uint32_t>(progress.candidate);
+        feedback.step = static_cast<std::uint32_t>(progress.step);
+        feedback.objective = static_cast<float>(progress.objective);
+        feedback.fraction_done = static_cast<float>(progress.fraction_done);
+        server_.publishFeedback(feedback);
+        return !server_.isPreemptRequested() && ros::ok();
+      });
   if (result.success != 0U) {
     server_.setSucceeded(result, result.message);
   } else if (server_.isPreemptRequested()) {
@@ -143,8 +145,9 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
   };
   std::vector<std::string> bags;
   for (const std::string& bag : task.bags) bags.push_back(WholePath(bag));
-  const std::vector<core::Episode> episodes = ReadAllEpisodes(
-      bags, reader_options_, [&go_on](double done) { go_on({0, 0, 0.0, kReadingPart * done}); });
+  const std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
+    go_on({0, 0, 0.0, kReadingPart * done});
+  });
 
   core::TrainerOptions options = options_;
   options.clusters = task.clusters;

@@ -16,8 +16,7 @@ class BadInputTest : public testing::Test {
     const ProgramRun run = RunShapelets(arguments);
     EXPECT_EQ(run.status, status) << run.err;
     EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;
-    for (const std::string& part : parts)
-      EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
+    for (const std::string& part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
   }
 
   /// Expects that training on `bag` is refused, and that no model is left.
@@ -33,9 +32,7 @@ class BadInputTest : public testing::Test {
   const std::string quick_ = WriteFile(folder_ / "quick.yaml", kQuick);
 };
 
-TEST_F(BadInputTest, MissingBag) {
-  ExpectTrainingRefused(folder_ / "none.bag", {"none.bag", "there is no such file"});
-}
+TEST_F(BadInputTest, MissingBag) { ExpectTrainingRefused(folder_ / "none.bag", {"none.bag", "there is no such file"}); }
 
 TEST_F(BadInputTest, FolderInPlaceOfABag) { ExpectTrainingRefused("/", {"/: expected a bag", "not a file"}); }
 
@@ -56,8 +53,7 @@ TEST_F(BadInputTest, BagWithoutAMessage) {
 
 TEST_F(BadInputTest, BagThatWasCutOff) {
   const std::string whole = ReadFile(Sound());
-  ExpectTrainingRefused(WriteFile(folder_ / "cut.bag", whole.substr(0, whole.size() / 2)),
-                        {"cut.bag", "cut off"});
+  ExpectTrainingRefused(WriteFile(folder_ / "cut.bag", whole.substr(0, whole.size() / 2)), {"cut.bag", "cut off"});
 }
 
 TEST_F(BadInputTest, NoWrenchTopic) {
@@ -81,8 +77,7 @@ TEST_F(BadInputTest, WrenchTopicThatIsNotThere) {
 TEST_F(BadInputTest, NoEpisode) {
   MadeBag content;
   content.triggers = false;
-  ExpectTrainingRefused(Make(folder_ / "no_episode.bag", content),
-                        {"no_episode.bag", "episode_active", "contact"});
+  ExpectTrainingRefused(Make(folder_ / "no_episode.bag", content), {"no_episode.bag", "episode_active", "contact"});
 }
 
 TEST_F(BadInputTest, FewerEpisodesThanClusters) {
@@ -113,12 +108,10 @@ TEST_F(BadInputTest, ModelOfAnotherMessageVersion) {
 }
 
 TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
-  const std::string config =
-      WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
-  ExpectRefusal(
-      {"train", Sound(), "--model", model_, "--config", config}, 1,
-      {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
-       "sample_period must be in (0, 1] s, but is 7", "stepps is not a parameter"});
+  const std::string config = WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
+  ExpectRefusal({"train", Sound(), "--model", model_, "--config", config}, 1,
+                {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
+                 "sample_period must be in (0, 1] s, but is 7", "stepps is not a parameter"});
 }
 
 TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
@@ -127,8 +120,7 @@ TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
 }
 
 TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
-  ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1,
-                {"--model", "there is no folder"});
+  ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1, {"--model", "there is no folder"});
   ExpectRefusal({"classify", Sound(), "--model", model_, "--csv", folder_ / "none/a.csv"}, 1,
                 {"--csv", "there is no folder"});
 }
@@ -139,8 +131,7 @@ TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
   MadeBag content;
   content.episodes = 3;
   const std::string other = Make(folder_ / "other.bag", content);
-  ExpectRefusal({"train", recording, "--model", recording}, 1,
-                {"sound.bag", "one of the bags that are read"});
+  ExpectRefusal({"train", recording, "--model", recording}, 1, {"sound.bag", "one of the bags that are read"});
   ExpectRefusal({"train", other, "--model", recording}, 1, {"sound.bag", "found another bag"});
   EXPECT_EQ(ReadFile(recording), before);
 }
@@ -178,8 +169,7 @@ TEST_F(BadInputTest, KilledTrainingLeavesTheOldModelAndNothingElse) {
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string before = ReadFile(model_);
   const std::vector<std::string> files = folder_.Files();
-  const std::string endless =
-      WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
+  const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
   ASSERT_TRUE(KillShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go"));
   EXPECT_EQ(ReadFile(model_), before);
   EXPECT_EQ(folder_.Files(), files);

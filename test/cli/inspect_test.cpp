@@ -8,9 +8,7 @@
 namespace contact_shapelets::test {
 namespace {
 
-bool Contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+bool Contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Inspects a bag with this flaw.
 std::string InspectFlaw(Flaw flaw) {
@@ -94,8 +92,7 @@ TEST(InspectTest, SecondWrenchTopicIsAProblemUnlessOneIsChosen) {
   MadeBag content;
   content.wrench_topics = {"/left/wrench", "/right/wrench"};
   const std::string bag = Make(folder / "made.bag", content);
-  EXPECT_TRUE(
-      Contains(RunShapelets({"inspect", bag}).out, "several topics of type geometry_msgs/WrenchStamped"));
+  EXPECT_TRUE(Contains(RunShapelets({"inspect", bag}).out, "several topics of type geometry_msgs/WrenchStamped"));
   const ProgramRun chosen = RunShapelets({"inspect", bag, "--wrench-topic", "/left/wrench"});
   EXPECT_TRUE(Contains(chosen.out, "problems: none")) << chosen.out;
 }
@@ -140,8 +137,7 @@ TEST_F(RecordedTest, OnlyRepeatingSensorsAreCalledRepeating) {
   for (const char* const name : {"repeated_samples.bag", "success_1.bag"}) {
     EXPECT_TRUE(Contains(InspectRecorded(name), "repeated samples: 1")) << name;
   }
-  for (const char* const name :
-       {"success_2.bag", "anomaly_collision_on_hand.bag", "anomaly_object_displacement.bag"}) {
+  for (const char* const name : {"success_2.bag", "anomaly_collision_on_hand.bag", "anomaly_object_displacement.bag"}) {
     const std::string text = InspectRecorded(name);
     EXPECT_FALSE(Contains(text, "repeated samples") || Contains(text, "frozen")) << name << '\n' << text;
   }

@@ -34,8 +34,7 @@ double Pulse(int kind, double time) {
 
 /// Turns the message of this sample into what a flawed driver sends; returns whether it is sent at all.
 bool Spoil(Flaw flaw, int sample, geometry_msgs::WrenchStamped* wrench) {
-  if (flaw == Flaw::kNotFinite && sample % 50 == 7)
-    wrench->wrench.force.y = std::numeric_limits<double>::quiet_NaN();
+  if (flaw == Flaw::kNotFinite && sample % 50 == 7) wrench->wrench.force.y = std::numeric_limits<double>::quiet_NaN();
   if (flaw == Flaw::kFlat) wrench->wrench.force.x = 2.0;
   if (flaw == Flaw::kZeroStamps) wrench->header.stamp = ros::Time();
   if (flaw == Flaw::kLateStamps) wrench->header.stamp -= ros::Duration(3600.0);
@@ -45,8 +44,7 @@ bool Spoil(Flaw flaw, int sample, geometry_msgs::WrenchStamped* wrench) {
 /// Writes the wrench of one topic.
 class WrenchWriter {
  public:
-  WrenchWriter(const std::string& topic, Flaw flaw, rosbag::Bag* bag)
-      : topic_(topic), flaw_(flaw), bag_(bag) {}
+  WrenchWriter(const std::string& topic, Flaw flaw, rosbag::Bag* bag) : topic_(topic), flaw_(flaw), bag_(bag) {}
 
   void Write(int sample, double force) {
     const ros::Time arrival(kStart + static_cast<double>(sample) / kRate);
@@ -55,8 +53,7 @@ class WrenchWriter {
     wrench.header.frame_id = "flange";
     wrench.wrench.force.x = force;
     const bool sent = Spoil(flaw_, sample, &wrench);
-    const bool again =
-        sample > 0 && (flaw_ == Flaw::kFrozen || (flaw_ == Flaw::kRepeated && sample % 10 == 0));
+    const bool again = sample > 0 && (flaw_ == Flaw::kFrozen || (flaw_ == Flaw::kRepeated && sample % 10 == 0));
     if (!again) last_ = wrench;
     if (sent) bag_->write(topic_, arrival, last_);
   }

@@ -55,8 +55,8 @@ class OutputsTest : public testing::Test {
     folder_ = std::make_unique<TemporaryFolder>();
     bag_ = CutEpisodes("bags/switch_push_train.bag", kEpisodes, *folder_ / "cut.bag");
     model_ = *folder_ / "model.bag";
-    training_ = RunShapelets(
-        {"train", bag_, "--model", model_, "--config", WriteFile(*folder_ / "quick.yaml", kQuick)});
+    training_ =
+        RunShapelets({"train", bag_, "--model", model_, "--config", WriteFile(*folder_ / "quick.yaml", kQuick)});
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
@@ -123,8 +123,7 @@ TEST_F(OutputsTest, ClassifyEndsWithTheRandIndexOfItsOwnTable) {
   const std::string last = Lines(run.out).back();
   const std::string label = "Rand index ";
   ASSERT_NE(last.find(label), std::string::npos) << last;
-  EXPECT_NEAR(std::stod(last.substr(last.find(label) + label.size())), RandIndex(outcomes, clusters), 5e-5)
-      << last;
+  EXPECT_NEAR(std::stod(last.substr(last.find(label) + label.size())), RandIndex(outcomes, clusters), 5e-5) << last;
   EXPECT_NE(last.find("ARI "), std::string::npos) << last;
   EXPECT_NE(last.find("NMI "), std::string::npos) << last;
 }
@@ -157,10 +156,8 @@ TEST_F(OutputsTest, EqualSeedsGiveEqualModels) {
   const std::string again = *folder_ / "again.bag";
   ASSERT_EQ(RunShapelets({"train", bag_, "--model", again, "--config", *folder_ / "quick.yaml"}).status, 0);
   EXPECT_EQ(LoadModel(again).id, LoadModel(model_).id);
-  ASSERT_EQ(
-      RunShapelets({"train", bag_, "--model", again, "--config", *folder_ / "quick.yaml", "--seed", "7"})
-          .status,
-      0);
+  ASSERT_EQ(RunShapelets({"train", bag_, "--model", again, "--config", *folder_ / "quick.yaml", "--seed", "7"}).status,
+            0);
   EXPECT_NE(LoadModel(again).id, LoadModel(model_).id) << "the older model was not replaced";
 }
 
@@ -203,8 +200,7 @@ TEST_F(OutputsTest, ReportIsOnePageThatNeedsNoOtherFile) {
   const core::Model model = LoadModel(model_);
   EXPECT_NE(page.find(model.id), std::string::npos);
   for (int cluster = 0; cluster < 3; ++cluster) {
-    EXPECT_NE(page.find("Cluster " + std::to_string(cluster) + ": " + model.EventOf(cluster)),
-              std::string::npos);
+    EXPECT_NE(page.find("Cluster " + std::to_string(cluster) + ": " + model.EventOf(cluster)), std::string::npos);
   }
   EXPECT_EQ(page.find("nan"), std::string::npos) << "a figure is not finite";
   EXPECT_EQ(Lines(ReadFile(out + "/episodes.csv")).size(), kEpisodes + 1U);
@@ -213,8 +209,8 @@ TEST_F(OutputsTest, ReportIsOnePageThatNeedsNoOtherFile) {
 TEST_F(OutputsTest, ReportListsNovelEpisodes) {
   // Pulses that are unlike any push of a switch, against a model with narrow limits.
   const std::string strict = *folder_ / "strict.bag";
-  const std::string config = WriteFile(*folder_ / "strict.yaml",
-                                       std::string(kQuick) + "novelty_quantile: 0.05\nnovelty_margin: 1.0\n");
+  const std::string config =
+      WriteFile(*folder_ / "strict.yaml", std::string(kQuick) + "novelty_quantile: 0.05\nnovelty_margin: 1.0\n");
   ASSERT_EQ(RunShapelets({"train", bag_, "--model", strict, "--config", config}).status, 0);
   const std::string raw = Make(*folder_ / "novel.bag", MadeBag());
   const std::string out = *folder_ / "novel";

@@ -14,7 +14,8 @@ View GroupedView(const Eigen::Ref<const Eigen::VectorXi>& groups, std::uint64_t 
   Random random(seed);
   View view(groups.size(), 2);
   for (Eigen::Index row = 0; row < groups.size(); ++row) {
-    view.row(row) << static_cast<float>(10.0 * groups[row] + 0.1 * random.Normal()), static_cast<float>(random.Normal());
+    view.row(row) << static_cast<float>(10.0 * groups[row] + 0.1 * random.Normal()),
+        static_cast<float>(random.Normal());
   }
   return view;
 }

@@ -5,8 +5,8 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Upper arm level along x, forearm straight down: shoulder at (0, 0, 0.34), elbow at (0.4, 0, 0.34), wrist at (0.4, 0, -0.06),
-/// flange at (0.4, 0, -0.186), its z down. The axes of the joints then are z, y, x, -y, -z, y, -z.
+/// Upper arm level along x, forearm straight down: shoulder at (0, 0, 0.34), elbow at (0.4, 0, 0.34), wrist at (0.4, 0,
+/// -0.06), flange at (0.4, 0, -0.186), its z down. The axes of the joints then are z, y, x, -y, -z, y, -z.
 Eigen::VectorXd BentArm() {
   Eigen::VectorXd positions = Eigen::VectorXd::Zero(7);
   positions[1] = EIGEN_PI / 2.0;
@@ -34,8 +34,7 @@ TEST(FlangeWrench, IsTheTorqueThatCausesTheTorques) {
 }
 
 TEST(FlangeWrench, StaysBoundedInASingularPose) {
-  const Wrench wrench =
-      FlangeWrench(ArmGeometry(), Eigen::VectorXd::Zero(7), Eigen::VectorXd::Constant(7, 1.0), 0.05);
+  const Wrench wrench = FlangeWrench(ArmGeometry(), Eigen::VectorXd::Zero(7), Eigen::VectorXd::Constant(7, 1.0), 0.05);
   EXPECT_LT(wrench.force.norm(), 20.0);
 }
 

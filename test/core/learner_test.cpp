@@ -93,7 +93,8 @@ TEST(LearnBanks, OtherSeedsGiveOtherShapelets) {
   LearnerOptions options;
   options.scales = {0.2};
   options.steps = 2;
-  EXPECT_FALSE(LearnBanks(series, 3, options, 5, 1)[0].shapelets.isApprox(LearnBanks(series, 3, options, 6, 1)[0].shapelets));
+  EXPECT_FALSE(
+      LearnBanks(series, 3, options, 5, 1)[0].shapelets.isApprox(LearnBanks(series, 3, options, 6, 1)[0].shapelets));
 }
 
 TEST(LearnBanks, SparsityShortensShapelets) {

@@ -58,8 +58,7 @@ TEST(SpectralTerm, GradientThroughTheMembershipMatchesFiniteDifferences) {
   const Eigen::MatrixXd weights = ContrastiveWeights(similarity, 3.0);
   const auto loss = [&weights](const Eigen::MatrixXd& f) { return SpectralTerm(MembershipMatrix(f), weights).value; };
   const Eigen::MatrixXd membership = MembershipMatrix(distances);
-  const Eigen::MatrixXd analytic =
-      DistanceGradient(distances, membership, SpectralTerm(membership, weights).gradient);
+  const Eigen::MatrixXd analytic = DistanceGradient(distances, membership, SpectralTerm(membership, weights).gradient);
   EXPECT_LT((analytic - FiniteDifferences(loss, distances)).cwiseAbs().maxCoeff(), 1e-8);
 }
 

@@ -1,4 +1,5 @@
-/// The wrench adapter, on messages of which neither side has the driver's package: their types travel with the connection.
+/// The wrench adapter, on messages of which neither side has the driver's package: their types travel with the
+/// connection.
 
 #include <contact_shapelets/ros/topics.h>
 #include <geometry_msgs/WrenchStamped.h>
@@ -106,9 +107,10 @@ TEST(WrenchAdapter, SaysThatAMessageHoldsNoWrench) {
 
 TEST(WrenchAdapter, MakesJointTorquesAWrenchAtTheFlange) {
   Inbox<geometry_msgs::WrenchStamped> wrenches("torques/wrench");
-  Driver joints("torques/joint_states", "sensor_msgs/JointState",
-                std::string("Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n") +
-                    kRule + kHeader);
+  Driver joints(
+      "torques/joint_states", "sensor_msgs/JointState",
+      std::string("Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\nfloat64[] effort\n") + kRule +
+          kHeader);
   Driver driver("torques/driver_message", "iiwa_driver/AdditionalOutputs",
                 std::string("Header header\nstd_msgs/Float64MultiArray external_torques\n") + kRule + kHeader + kRule +
                     "MSG: std_msgs/Float64MultiArray\nMultiArrayLayout layout\nfloat64[] data\n" + kRule +

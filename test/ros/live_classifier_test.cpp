@@ -43,7 +43,8 @@ class RunningClassifier {
         progress_publisher_(node_handle_.advertise<Episode>(name + "/episode_progress", 10)) {}
 
   bool WaitForConnections() {
-    return diagnoses.WaitForPublisher() && events.WaitForPublisher() && features.WaitForPublisher() && WaitUntil([this] {
+    return diagnoses.WaitForPublisher() && events.WaitForPublisher() && features.WaitForPublisher() &&
+           WaitUntil([this] {
              return episode_publisher_.getNumSubscribers() > 0 && progress_publisher_.getNumSubscribers() > 0;
            });
   }

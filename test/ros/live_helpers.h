@@ -33,9 +33,8 @@ template <typename Message>
 class Inbox {
  public:
   explicit Inbox(const std::string& topic)
-      : subscriber_(node_handle_.subscribe<Message>(topic, 1000, [this](const typename Message::ConstPtr& message) {
-          messages_.push_back(*message);
-        })) {}
+      : subscriber_(node_handle_.subscribe<Message>(
+            topic, 1000, [this](const typename Message::ConstPtr& message) { messages_.push_back(*message); })) {}
 
   bool WaitForPublisher() {
     return WaitUntil([this] { return subscriber_.getNumPublishers() > 0; });

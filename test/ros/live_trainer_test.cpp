@@ -57,10 +57,11 @@ TEST(Trainer, TrainsReportsProgressAndPublishesTheModel) {
   const std::string output = testing::TempDir() + "trained_model.bag";
   std::mutex mutex;
   std::vector<TrainFeedback> feedback;
-  client.sendGoal(GoalTo(output), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(), [&](const TrainFeedbackConstPtr& step) {
-    const std::lock_guard<std::mutex> lock(mutex);
-    feedback.push_back(*step);
-  });
+  client.sendGoal(GoalTo(output), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                  [&](const TrainFeedbackConstPtr& step) {
+                    const std::lock_guard<std::mutex> lock(mutex);
+                    feedback.push_back(*step);
+                  });
   ASSERT_TRUE(Finished(&client));
   EXPECT_EQ(client.getState(), SimpleClientGoalState::SUCCEEDED) << client.getResult()->message;
   const TrainResult result = *client.getResult();
@@ -82,9 +83,10 @@ TEST(Trainer, CancelledLeavesTheOldModel) {
   const std::string output = OldModel();
   const std::string before = Contents(output);
   std::atomic<int> steps{0};
-  client.sendGoal(GoalTo(output), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(), [&](const TrainFeedbackConstPtr& step) {
-    if (step->step > 0) ++steps;
-  });
+  client.sendGoal(GoalTo(output), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                  [&](const TrainFeedbackConstPtr& step) {
+                    if (step->step > 0) ++steps;
+                  });
   ASSERT_TRUE(WaitUntil([&] { return steps > 0; }));
   client.cancelGoal();
   ASSERT_TRUE(Finished(&client));

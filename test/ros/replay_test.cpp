@@ -1,5 +1,5 @@
-/// A recorded bag, played through the nodes in simulated time by the launch file that users have, gives what the offline
-/// program gives.
+/// A recorded bag, played through the nodes in simulated time by the launch file that users have, gives what the
+/// offline program gives.
 
 #include <contact_shapelets/Diagnosis.h>
 #include <contact_shapelets/Episode.h>

@@ -37,8 +37,9 @@ class SimulatedTime : public testing::Test {
                          [&](const auto& array) { return array.header.stamp == ros::Time(time); });
     });
   }
-  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`, and waits until the node has them: on a busy machine
-  /// they would else arrive after the next jump of the clock. Needs one diagnosis since the last jump, as SetClock() waits for.
+  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`, and waits until the node has them: on a busy
+  /// machine they would else arrive after the next jump of the clock. Needs one diagnosis since the last jump, as
+  /// SetClock() waits for.
   void PlayWrench(double begin, double end) {
     const int before = Samples();
     int count = 0;

@@ -37,13 +37,15 @@ TEST(SimulatedPush, SnapsAwayFromTheFingerWhichMeetsItAgainAtTheStop) {
   const PushRecording recording = RecordPush(ConditionFor(Outcome::kSwitched), kDuration);
   const auto& states = recording.states;
   const auto after = [&states](double angle) {
-    return std::find_if(states.begin(), states.end(), [&](const CellState& state) { return state.lever_angle > angle; });
+    return std::find_if(states.begin(), states.end(),
+                        [&](const CellState& state) { return state.lever_angle > angle; });
   };
   const auto snap = after(0.0);
   const auto stop = after(0.95 * CellModel::kStop);
   ASSERT_NE(stop, states.end());
   EXPECT_LT(stop->time - snap->time, 0.03);
-  const auto met = std::find_if(stop, states.end(), [](const CellState& state) { return state.contact_force.norm() > 2.0; });
+  const auto met =
+      std::find_if(stop, states.end(), [](const CellState& state) { return state.contact_force.norm() > 2.0; });
   ASSERT_NE(met, states.end());
   EXPECT_LT(met->time - snap->time, 0.15);
   const auto free = std::min_element(snap, met, [](const CellState& one, const CellState& other) {

@@ -10,10 +10,10 @@ namespace contact_shapelets::core {
 /// An arm of seven revolute joints in the order of a KUKA LBR iiwa: stretched out along z at zero, the axes are
 /// z, y, z, -y, z, y, z. Defaults are the LBR iiwa 7 R800's (KUKA, Spez LBR iiwa, dimensions).
 struct ArmGeometry {
-  double base_to_shoulder = 0.34;   ///< [m]
-  double shoulder_to_elbow = 0.4;   ///< [m]; 0.42 for the LBR iiwa 14 R820, whose base_to_shoulder is 0.36
-  double elbow_to_wrist = 0.4;      ///< [m]
-  double wrist_to_flange = 0.126;   ///< [m]
+  double base_to_shoulder = 0.34;  ///< [m]
+  double shoulder_to_elbow = 0.4;  ///< [m]; 0.42 for the LBR iiwa 14 R820, whose base_to_shoulder is 0.36
+  double elbow_to_wrist = 0.4;     ///< [m]
+  double wrist_to_flange = 0.126;  ///< [m]
 };
 
 /// A force and a torque at one point.

@@ -22,9 +22,9 @@ struct PreparedShapelets;
 
 /// The best match of one shapelet within one series.
 struct Match {
-  float similarity = -1.0F;   ///< max_j max_w CC_w, in [-1, 1]; -1 where no window counts
-  std::int32_t window = -1;   ///< j of that maximum, 0 <= j < J; -1 where no window counts
-  std::int32_t shift = 0;     ///< w of that maximum, -(M-1) <= w <= M-1
+  float similarity = -1.0F;  ///< max_j max_w CC_w, in [-1, 1]; -1 where no window counts
+  std::int32_t window = -1;  ///< j of that maximum, 0 <= j < J; -1 where no window counts
+  std::int32_t shift = 0;    ///< w of that maximum, -(M-1) <= w <= M-1
 };
 
 /// A series prepared for matching with shapelets of one length: the windows' means and standard deviations.
@@ -77,7 +77,8 @@ class ShapeletSet {
   int length() const { return static_cast<int>(normalised_.rows()); }
   /// The z-normalised shapelets [M, K], one per column; a column of zeros where the shapelet was constant.
   const Eigen::MatrixXf& normalised() const { return normalised_; }
-  /// The shapelets laid out for FindBestMatches(), with the energies that bound a partial overlap; shared between copies.
+  /// The shapelets laid out for FindBestMatches(), with the energies that bound a partial overlap; shared between
+  /// copies.
   const PreparedShapelets& prepared() const { return *prepared_; }
 
  private:
@@ -85,8 +86,8 @@ class ShapeletSet {
   std::shared_ptr<const PreparedShapelets> prepared_;
 };
 
-/// The definition, evaluated sum by sum in double precision: O(J M^2) per shapelet. For tests and as the benchmark's floor.
-/// Returns K matches. \throws std::invalid_argument where the lengths differ.
+/// The definition, evaluated sum by sum in double precision: O(J M^2) per shapelet. For tests and as the benchmark's
+/// floor. Returns K matches. \throws std::invalid_argument where the lengths differ.
 std::vector<Match> BestMatchesByDefinition(const WindowSet& windows, const ShapeletSet& shapelets);
 
 /// The paper's formulation: one zero-padded cross-correlation by FFT per window, in planned single-precision FFTW, the

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 
 /// \file
-/// The objective of the paper (equation 6), term by term with its gradient, and the contrastive weights that keep it from
-/// collapsing.
+/// The objective of the paper (equation 6), term by term with its gradient, and the contrastive weights that keep it
+/// from collapsing.
 
 namespace contact_shapelets::core {
 
@@ -36,16 +36,16 @@ struct Term {
   Eigen::MatrixXd gradient;  ///< by the term's argument, of the same shape
 };
 
-/// Spectral term tr(q^T (D_W - W) q) of equation 5, D_W the row sums of W. `membership` q is [N, K] (also the gradient's
-/// shape), `weights` W is [N, N] and symmetric.
+/// Spectral term tr(q^T (D_W - W) q) of equation 5, D_W the row sums of W. `membership` q is [N, K] (also the
+/// gradient's shape), `weights` W is [N, N] and symmetric.
 Term SpectralTerm(const Eigen::Ref<const Eigen::MatrixXd>& membership,
                   const Eigen::Ref<const Eigen::MatrixXd>& weights);
 
 /// Diversity term |H|_F^2, H_kl = exp(-|s_k - s_l|^2 / sigma^2), `shapelets` [K, M] in rows, `variance` sigma^2 > 0.
 Term DiversityTerm(const Eigen::Ref<const Eigen::MatrixXd>& shapelets, double variance);
 
-/// The proximal step of `amount` |s| for each value: shrinks it towards zero by `amount` >= 0, and to exactly zero where
-/// it is smaller (soft threshold).
+/// The proximal step of `amount` |s| for each value: shrinks it towards zero by `amount` >= 0, and to exactly zero
+/// where it is smaller (soft threshold).
 void ShrinkToZero(double amount, Eigen::Ref<Eigen::MatrixXd> shapelets);
 
 }  // namespace contact_shapelets::core

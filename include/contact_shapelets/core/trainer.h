@@ -19,11 +19,11 @@ namespace contact_shapelets::core {
 
 /// Parameters of TrainModel().
 struct TrainerOptions {
-  int clusters = 3;               ///< C, at least 2
-  LearnerOptions learner;         ///< shapelet banks
-  int kmeans_restarts = 20;       ///< of each clustering, at least 1
-  /// Clusters are voted on: a K-means for each p of this list (each in [0, 2]), in which a shapelet's feature weighs scale^-p,
-  /// on the shapelets as the learning started and as it ended. Empty: one K-means on the learned shapelets.
+  int clusters = 3;          ///< C, at least 2
+  LearnerOptions learner;    ///< shapelet banks
+  int kmeans_restarts = 20;  ///< of each clustering, at least 1
+  /// Clusters are voted on: a K-means for each p of this list (each in [0, 2]), in which a shapelet's feature weighs
+  /// scale^-p, on the shapelets as the learning started and as it ended. Empty: one K-means on the learned shapelets.
   std::vector<double> vote_exponents{0.0, 0.5, 1.0};
   double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
   double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
@@ -58,10 +58,10 @@ struct TrainingResult {
   std::vector<Shapelet> start_shapelets;  ///< what the learning started from; they vote, and are not part of the model
 };
 
-/// The clusters [N] that series fall into by the votes of TrainerOptions::vote_exponents, given their distances F to the start
-/// shapelets of `result` and to the learned ones of its model, both with one series per row. Labels are not those of the
-/// model's clusters: series are clustered anew, without looking at the training ones.
-/// \throws std::invalid_argument where sizes do not match or there are fewer series than clusters.
+/// The clusters [N] that series fall into by the votes of TrainerOptions::vote_exponents, given their distances F to
+/// the start shapelets of `result` and to the learned ones of its model, both with one series per row. Labels are not
+/// those of the model's clusters: series are clustered anew, without looking at the training ones. \throws
+/// std::invalid_argument where sizes do not match or there are fewer series than clusters.
 Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& start_distances,
                             const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options);
 

@@ -19,12 +19,13 @@
 
 namespace contact_shapelets {
 
-/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share state
-/// without a lock: they need a queue that one thread serves.
+/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share
+/// state without a lock: they need a queue that one thread serves.
 class EpisodeNode {
  public:
-  /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A parameter
-  /// that is out of range is logged and reported in /diagnostics; the node then stays up without cutting episodes.
+  /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A
+  /// parameter that is out of range is logged and reported in /diagnostics; the node then stays up without cutting
+  /// episodes.
   EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
  private:
@@ -59,7 +60,7 @@ class EpisodeNode {
   int idle_ticks_ = 0;  ///< of the wait timer since the last wrench
   core::Nanoseconds last_arrival_ = 0;
   int jumps_back_ = 0;
-  std::deque<core::StreamSummary> summaries_;  ///< of the last diagnostics
+  std::deque<core::StreamSummary> summaries_;       ///< of the last diagnostics
   std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
 
   ros::Publisher episode_publisher_;

@@ -7,24 +7,24 @@
 #include <vector>
 
 /// \file
-/// Numbers out of messages whose type is known at run time only, by the definition that travels with the connection: drivers'
-/// own messages are read without a dependency on their packages.
+/// Numbers out of messages whose type is known at run time only, by the definition that travels with the connection:
+/// drivers' own messages are read without a dependency on their packages.
 
 namespace contact_shapelets {
 
 /// The fields of a message type and of all types in it.
 class MessageDefinition {
  public:
-  /// Parses `text` as in a connection's header: the fields of `datatype` ("package/Type"), then those of each type in it.
-  /// \throws std::runtime_error naming a type whose fields are missing.
+  /// Parses `text` as in a connection's header: the fields of `datatype` ("package/Type"), then those of each type in
+  /// it. \throws std::runtime_error naming a type whose fields are missing.
   MessageDefinition(const std::string& datatype, const std::string& text);
 
-  /// The path ("wrench.wrench") of the first field of `type`, depth first; empty where there is none. Fields within arrays do
-  /// not count.
+  /// The path ("wrench.wrench") of the first field of `type`, depth first; empty where there is none. Fields within
+  /// arrays do not count.
   std::string PathOf(const std::string& type) const;
 
-  /// The numbers at `path` in a serialised message, in order: one for a number, as many as there are for an array of numbers
-  /// or a message that holds only numbers. Integers and times (two: seconds and nanoseconds) count as numbers.
+  /// The numbers at `path` in a serialised message, in order: one for a number, as many as there are for an array of
+  /// numbers or a message that holds only numbers. Integers and times (two: seconds and nanoseconds) count as numbers.
   /// \throws std::runtime_error where there is no such field, it holds a string, or the message ends early.
   std::vector<double> Numbers(const std::string& path, const std::uint8_t* data, std::size_t size) const;
 

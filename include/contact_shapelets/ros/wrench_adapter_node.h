@@ -15,13 +15,13 @@
 
 namespace contact_shapelets {
 
-/// Publishes `wrench` for drivers that have it in a message of their own, or only the external torques of the joints. Messages
-/// are read by the definition that comes with them, so that no driver's package is needed. Its callbacks need a queue that
-/// one thread serves.
+/// Publishes `wrench` for drivers that have it in a message of their own, or only the external torques of the joints.
+/// Messages are read by the definition that comes with them, so that no driver's package is needed. Its callbacks need
+/// a queue that one thread serves.
 class WrenchAdapterNode {
  public:
-  /// Reads parameters from `private_node_handle` and subscribes. A parameter that is out of range is logged and reported in
-  /// /diagnostics; the node then stays up without publishing.
+  /// Reads parameters from `private_node_handle` and subscribes. A parameter that is out of range is logged and
+  /// reported in /diagnostics; the node then stays up without publishing.
   WrenchAdapterNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
  private:
