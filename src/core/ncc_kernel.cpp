@@ -29,12 +29,11 @@ tile::Energies Whole() {
 }
 
 /// CC_w of one window, by the definition, in double precision.
-double Evaluate(const WindowSet& windows, const float* shapelet, int window, int shift) {
+double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float* shapelet, int window, int shift) {
   const int length = windows.length();
-  const int overlap = length - std::abs(shift);
-  const Eigen::Map<const Eigen::VectorXf> values(shapelet + std::max(0, -shift), overlap);
-  const auto samples = windows.series().segment(window + std::max(0, shift), overlap);
-  const double sum = values.cast<double>().dot((samples.cast<double>().array() - windows.mean()[window]).matrix());
+  const double sum =
+      loops.correlation(shapelet + std::max(0, -shift), windows.series().data() + window + std::max(0, shift),
+                        windows.mean()[window], length - std::abs(shift));
   return sum * windows.inverse_deviation()[window] / length;
 }
 
@@ -74,7 +73,8 @@ class Search {
  private:
   void Offer(int k, int window, int shift) {
     if (prepared_.constant[k]) return;
-    const auto value = static_cast<float>(Evaluate(windows_, shapelets_.normalised().col(k).data(), window, shift));
+    const auto value =
+        static_cast<float>(Evaluate(loops_, windows_, shapelets_.normalised().col(k).data(), window, shift));
     if (value > matches_[k].similarity) matches_[k] = {value, window, shift};
   }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/ncc_tile.h"
+#include "core/ncc_tile_prepare.h"
+#include "core/ncc_tile_vector.h"
 
 // Everything is in an unnamed namespace, since each instruction set has a copy of its own.
 
@@ -10,49 +12,20 @@ namespace {
 /// `Lanes` floats that one instruction works on, and vectors of them per shapelet in registers.
 template <int Lanes, int Vectors>
 struct TileLoops {
-  typedef float Vector __attribute__((vector_size(Lanes * sizeof(float))));
-  typedef int Integers __attribute__((vector_size(Lanes * sizeof(int))));
+  using Of = VectorOf<Lanes>;
+  using Vector = typename Of::Floats;
+  using Integers = typename Of::Integers;
   static constexpr int kPositions = Lanes * Vectors;
   /// A full overlap that may be anything.
   static constexpr float kUnknown = 1e30F;
-  static constexpr int kBits[kBlocks] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
   static_assert(kPositions <= kPadding, "tiles reach beyond the padding");
 
-  template <typename Type>
-  static Type Load(const void* from) {
-    Type vector;
-    __builtin_memcpy(&vector, from, sizeof(vector));
-    return vector;
-  }
-  static Vector Load(const float* from) { return Load<Vector>(from); }
-  template <typename Type>
-  static void Store(void* to, Type vector) {
-    __builtin_memcpy(to, &vector, sizeof(vector));
-  }
-
-  /// The bits that any lane has.
-  static unsigned Combined(Integers vector) {
-    unsigned long long parts[Lanes / 2];
-    Store(parts, vector);
-    unsigned long long bits = 0;
-    for (const unsigned long long part : parts) bits |= part;
-    return static_cast<unsigned>(bits | (bits >> 32));
-  }
-
-  /// The largest lane, at least 0.
-  static float Largest(Vector vector) {
-    float values[Lanes];
-    Store(values, vector);
-    float largest = 0.0F;
-    for (const float value : values) largest = value > largest ? value : largest;
-    return largest;
-  }
+  static Vector Load(const float* from) { return Of::template Load<Vector>(from); }
 
   static bool AnyCounts(const float* scale) {
-    Vector sum = Load(scale);
-    for (int v = 1; v < Vectors; ++v) sum += Load(scale + v * Lanes);
-    return Largest(sum) > 0.0F;
+    Vector largest = Load(scale);
+    for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, Load(scale + v * Lanes));
+    return Of::Signs(largest > 0.0F) != 0;
   }
 
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
@@ -61,7 +34,7 @@ struct TileLoops {
     for (Integers& where : at) where = Integers{} - 1;
     int numbers[Lanes];
     for (int lane = 0; lane < Lanes; ++lane) numbers[lane] = lane;
-    const Integers lanes = Load<Integers>(numbers);
+    const Integers lanes = Of::template Load<Integers>(numbers);
     for (int position = 0; position < arguments.count; position += kPositions) {
       if (!AnyCounts(arguments.scale + position)) {
         for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
@@ -69,16 +42,17 @@ struct TileLoops {
       }
       Vector sum[kGroup][Vectors] = {};
       for (int m = 0; m < arguments.length; ++m) {
-        const float* values = arguments.shapelets + kGroup * m;
+        Vector values[kGroup];
+        for (int i = 0; i < kGroup; ++i) values[i] = Of::Spread(arguments.shapelets[kGroup * m + i]);
         for (int v = 0; v < Vectors; ++v) {
-          const Vector samples = Load(arguments.series + position + m + v * Lanes);
+          const Vector samples = Of::LoadOnce(arguments.series + position + m + v * Lanes);
           for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
         }
       }
       for (int v = 0; v < Vectors; ++v) {
         const Vector scale = Load(arguments.scale + position + v * Lanes);
         for (int i = 0; i < kGroup; ++i) {
-          Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
+          Of::Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
           const Vector value = sum[i][v] * scale;
           const Integers greater = value > most[i];
           most[i] = greater ? value : most[i];
@@ -87,8 +61,9 @@ struct TileLoops {
       }
       for (int i = 0; i < kGroup; ++i) {
         Vector largest = sum[i][0];
-        for (int v = 1; v < Vectors; ++v) largest = sum[i][v] > largest ? sum[i][v] : largest;
-        arguments.largest[position / kPositions * kGroup + i] = Largest(largest);
+        for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][v]);
+        const float most_in_tile = Of::Largest(largest);
+        arguments.largest[position / kPositions * kGroup + i] = most_in_tile > 0.0F ? most_in_tile : 0.0F;
       }
     }
     for (int i = 0; i < kGroup; ++i) {
@@ -96,8 +71,8 @@ struct TileLoops {
       result->position[i] = -1;
       float values[Lanes];
       int positions[Lanes];
-      Store(values, most[i]);
-      Store(positions, at[i]);
+      Of::Store(values, most[i]);
+      Of::Store(positions, at[i]);
       for (int lane = 0; lane < Lanes; ++lane) {
         if (values[lane] <= result->most[i]) continue;
         result->most[i] = values[lane];
@@ -125,14 +100,13 @@ struct TileLoops {
     const float best = arguments.best[shapelet];
     const bool has_full = HasFullOverlaps(arguments, tile);
     const float full = has_full ? arguments.largest[kGroup * tile + shapelet] : kUnknown;
-    Integers useful = {};
+    unsigned bits = 0;
     for (int block = 0; block < kBlocks; block += Lanes) {
       const Vector rest = best - full * Load(bounds.scale + block);
       const Integers near = (rest <= 0.0F) | (Load(energies.tail + block) * Load(bounds.tail + block) > rest * rest);
       const Integers strong = Load(energies.head + block) * Load(bounds.head + block) > Vector{} + best * best;
-      useful |= near & strong & Load<Integers>(kBits + block);
+      bits |= Of::Signs(near & strong) << block;
     }
-    const unsigned bits = Combined(useful);
     if (bits == 0) return {1, 0};
     const int low = __builtin_ctz(bits);
     const int high = 31 - __builtin_clz(bits);
@@ -149,17 +123,21 @@ struct TileLoops {
     void Add(const PartialArguments& arguments, int shapelet, int position, int overlap) {
       const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
+      Vector value[Shapelets];
+      for (int i = 0; i < Shapelets; ++i) value[i] = Of::Spread(values[i]);
       for (int v = 0; v < Vectors; ++v) {
-        const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] -= values[i] * sample;
+        const Vector sample = Of::LoadOnce(samples + v * Lanes);
+        for (int i = 0; i < Shapelets; ++i) turned[i][v] -= value[i] * sample;
       }
     }
     void Remove(const PartialArguments& arguments, int shapelet, int position, int overlap) {
       const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
+      Vector value[Shapelets];
+      for (int i = 0; i < Shapelets; ++i) value[i] = Of::Spread(values[i]);
       for (int v = 0; v < Vectors; ++v) {
-        const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] += values[i] * sample;
+        const Vector sample = Of::LoadOnce(samples + v * Lanes);
+        for (int i = 0; i < Shapelets; ++i) turned[i][v] += value[i] * sample;
       }
     }
   };
@@ -199,16 +177,17 @@ struct TileLoops {
     Vector best[Shapelets];
     for (int i = 0; i < Shapelets; ++i) best[i] = Vector{} + arguments.best[shapelet + i];
     Walk<Shapelets>(arguments, shapelet, tile, range, [&](const Sums<Shapelets>& sums, int window, int overlap) {
-      const float* within = arguments.within + kGroup * overlap + shapelet;
+      Vector within[Shapelets];
+      for (int i = 0; i < Shapelets; ++i) within[i] = Of::Spread(arguments.within[kGroup * overlap + shapelet + i]);
       for (int v = 0; v < Vectors; ++v) {
-        const Vector mean = Load(arguments.mean + window + v * Lanes);
-        const Vector spread = Load(arguments.spread + window + v * Lanes);
+        const Vector mean = Of::LoadOnce(arguments.mean + window + v * Lanes);
+        const Vector spread = Of::LoadOnce(arguments.spread + window + v * Lanes);
         for (int i = 0; i < Shapelets; ++i) {
           signs |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
         }
       }
     });
-    return (Combined(signs) & 0x80000000U) != 0;
+    return Of::Signs(signs) != 0;
   }
 
   static int FindBetter(const PartialArguments& arguments, int tile, int end) {
@@ -249,8 +228,8 @@ struct TileLoops {
     float values[kPositions];
     int overlaps[kPositions];
     for (int v = 0; v < Vectors; ++v) {
-      Store(values + v * Lanes, most[v]);
-      Store(overlaps + v * Lanes, at[v]);
+      Of::Store(values + v * Lanes, most[v]);
+      Of::Store(overlaps + v * Lanes, at[v]);
     }
     for (int position = 0; position < kPositions; ++position) {
       if (values[position] <= result->value) continue;
@@ -258,21 +237,25 @@ struct TileLoops {
     }
   }
 
-  static void WindowEnergies(const EnergyArguments& arguments, float* energies) {
-    const float* sums = arguments.sums + arguments.first;
-    const float* squares = arguments.squares + arguments.first;
-    const auto samples = static_cast<float>(arguments.samples);
-    for (int window = 0; window < arguments.count; window += Lanes) {
-      const Vector mean = Load(arguments.mean + window);
-      const Vector sum = Load(sums + window + arguments.samples) - Load(sums + window);
-      const Vector square = Load(squares + window + arguments.samples) - Load(squares + window);
-      const Vector energy = square - mean * (2.0F * sum - samples * mean) + arguments.rounding;
-      Store(energies + window, energy * Load(arguments.scale + window));
+  /// CC_w M sigma of one window, by the definition.
+  static double Correlation(const float* shapelet, const float* samples, double mean, int count) {
+    typename Of::Doubles sum = {};
+    int m = 0;
+    for (; m + Lanes / 2 <= count; m += Lanes / 2) {
+      sum += Of::LoadDoubles(shapelet + m) * (Of::LoadDoubles(samples + m) - mean);
     }
+    double parts[Lanes / 2];
+    Of::Store(parts, sum);
+    double total = 0.0;
+    for (const double part : parts) total += part;
+    for (; m < count; ++m) total += static_cast<double>(shapelet[m]) * (static_cast<double>(samples[m]) - mean);
+    return total;
   }
 
   static Loops All(const char* name) {
-    return {name, kPositions, FullOverlaps, FindBetter, MostInTile, WindowEnergies};
+    using Prepare = PreparationLoops<Lanes, Vectors>;
+    return {name,       kPositions,  FullOverlaps,          FindBetter,
+            MostInTile, Correlation, Prepare::WindowValues, Prepare::AllBounds};
   }
 };
 
