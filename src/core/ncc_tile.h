@@ -12,10 +12,8 @@
 
 namespace contact_shapelets::core::tile {
 
-/// Shapelets whose values are interleaved, sample by sample, and that share a pass of full overlaps.
+/// Shapelets whose values are interleaved, sample by sample, and that share a pass of overlaps.
 constexpr int kGroup = 4;
-/// Shapelets of a group that share a pass of partial overlaps.
-constexpr int kPair = 2;
 /// Readable floats that arrays by position or window have before their first and behind their last used value.
 constexpr int kPadding = 64;
 
@@ -53,7 +51,7 @@ struct Energies {
   float tail[kBlocks];  ///< the largest part without
 };
 
-/// Partial overlaps of a pair of shapelets.
+/// Partial overlaps of a group of shapelets.
 struct PartialArguments {
   const float* values;       ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
   const float* within;       ///< by overlap from 0: the sum of the shapelet's values within, interleaved
@@ -66,11 +64,12 @@ struct PartialArguments {
   const Energies* energies;  ///< of the shapelets
   const Bounds* bounds;      ///< by tile
   int length;                ///< M
+  int count;                 ///< shapelets in the group
   int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
   int direction;
-  int stride;         ///< between the shapelets in `sums`
-  int full_tiles;     ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
-  float best[kPair];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
+  int stride;          ///< between the shapelets in `sums`
+  int full_tiles;      ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  float best[kGroup];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
 };
 /// A value, and where it is.
 struct TileResult {
@@ -117,9 +116,10 @@ struct Loops {
   const char* name;
   int positions;  ///< in a tile
   void (*full_overlaps)(const FullArguments& arguments, FullResult* result);
-  /// The first tile of tile ... end - 1 in which a shapelet of the pair exceeds its `best`; `end` where there is none.
-  int (*find_better)(const PartialArguments& arguments, int tile, int end);
-  /// The largest value of one shapelet of the pair in a tile, among those that the bounds leave.
+  /// The first tile of tile ... end - 1 in which a shapelet of the group exceeds its `best`, and a bit in `better` for
+  /// each that does; `end` where there is none.
+  int (*find_better)(const PartialArguments& arguments, int tile, int end, unsigned* better);
+  /// The largest value of one shapelet of the group in a tile, among those that the bounds leave.
   void (*most_in_tile)(const PartialArguments& arguments, int shapelet, int tile, TileResult* result);
   /// sum (t_m - mean) s_m over `count` samples, in double precision.
   double (*correlation)(const float* shapelet, const float* samples, double mean, int count);

@@ -16,6 +16,10 @@ struct TileLoops {
   using Vector = typename Of::Floats;
   using Integers = typename Of::Integers;
   static constexpr int kPositions = Lanes * Vectors;
+  /// Tiles that share a pass of full overlaps: as many as the registers hold.
+  static constexpr int kFullTiles = Lanes == 16 ? 2 : 1;
+  /// Shapelets that share a pass of partial overlaps: as many as the registers hold.
+  static constexpr int kTogether = Lanes == 16 ? 4 : 2;
   /// A full overlap that may be anything.
   static constexpr float kUnknown = 1e30F;
   static_assert(kPositions <= kPadding, "tiles reach beyond the padding");
@@ -28,56 +32,70 @@ struct TileLoops {
     return Of::Signs(largest > 0.0F) != 0;
   }
 
+  /// The largest full overlaps of a group over all windows so far, lane by lane.
+  struct Most {
+    Vector value[kGroup];
+    Integers position[kGroup];
+  };
+
+  /// Full overlaps of `Tiles` tiles from `position` on, whose windows count.
+  template <int Tiles>
+  static void FullTiles(const FullArguments& arguments, int position, Most* most) {
+    constexpr int kVectors = Tiles * Vectors;
+    Vector sum[kGroup][kVectors] = {};
+    for (int m = 0; m < arguments.length; ++m) {
+      Vector values[kGroup];
+      for (int i = 0; i < kGroup; ++i) values[i] = Of::Spread(arguments.shapelets[kGroup * m + i]);
+#pragma GCC unroll 4
+      for (int v = 0; v < kVectors; ++v) {
+        const Vector samples = Of::LoadOnce(arguments.series + position + m + v * Lanes);
+        for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
+      }
+    }
+#pragma GCC unroll 4
+    for (int v = 0; v < kVectors; ++v) {
+      const Vector scale = Load(arguments.scale + position + v * Lanes);
+      for (int i = 0; i < kGroup; ++i) {
+        Of::Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
+        const Vector value = sum[i][v] * scale;
+        const Integers greater = value > most->value[i];
+        most->value[i] = greater ? value : most->value[i];
+        most->position[i] = greater ? Integers{} + (position + v * Lanes) : most->position[i];
+      }
+    }
+    for (int tile = 0; tile < Tiles; ++tile) {
+      for (int i = 0; i < kGroup; ++i) {
+        Vector largest = sum[i][tile * Vectors];
+        for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][tile * Vectors + v]);
+        const float value = Of::Largest(largest);
+        arguments.largest[(position / kPositions + tile) * kGroup + i] = value > 0.0F ? value : 0.0F;
+      }
+    }
+  }
+
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
-    Vector most[kGroup] = {};
-    Integers at[kGroup];
-    for (Integers& where : at) where = Integers{} - 1;
-    int numbers[Lanes];
-    for (int lane = 0; lane < Lanes; ++lane) numbers[lane] = lane;
-    const Integers lanes = Of::template Load<Integers>(numbers);
+    Most most{};
     for (int position = 0; position < arguments.count; position += kPositions) {
       if (!AnyCounts(arguments.scale + position)) {
         for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
         continue;
       }
-      Vector sum[kGroup][Vectors] = {};
-      for (int m = 0; m < arguments.length; ++m) {
-        Vector values[kGroup];
-        for (int i = 0; i < kGroup; ++i) values[i] = Of::Spread(arguments.shapelets[kGroup * m + i]);
-        for (int v = 0; v < Vectors; ++v) {
-          const Vector samples = Of::LoadOnce(arguments.series + position + m + v * Lanes);
-          for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
-        }
-      }
-      for (int v = 0; v < Vectors; ++v) {
-        const Vector scale = Load(arguments.scale + position + v * Lanes);
-        for (int i = 0; i < kGroup; ++i) {
-          Of::Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
-          const Vector value = sum[i][v] * scale;
-          const Integers greater = value > most[i];
-          most[i] = greater ? value : most[i];
-          at[i] = greater ? lanes + (position + v * Lanes) : at[i];
-        }
-      }
-      for (int i = 0; i < kGroup; ++i) {
-        Vector largest = sum[i][0];
-        for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][v]);
-        const float most_in_tile = Of::Largest(largest);
-        arguments.largest[position / kPositions * kGroup + i] = most_in_tile > 0.0F ? most_in_tile : 0.0F;
+      const int next = position + kPositions;
+      if (kFullTiles == 2 && next < arguments.count && AnyCounts(arguments.scale + next)) {
+        FullTiles<kFullTiles>(arguments, position, &most);
+        position = next;
+      } else {
+        FullTiles<1>(arguments, position, &most);
       }
     }
     for (int i = 0; i < kGroup; ++i) {
-      result->most[i] = 0.0F;
+      result->most[i] = Of::Largest(most.value[i]);
       result->position[i] = -1;
-      float values[Lanes];
+      if (result->most[i] <= 0.0F) continue;
+      const int lane = __builtin_ctz(Of::Signs(most.value[i] == result->most[i]));
       int positions[Lanes];
-      Of::Store(values, most[i]);
-      Of::Store(positions, at[i]);
-      for (int lane = 0; lane < Lanes; ++lane) {
-        if (values[lane] <= result->most[i]) continue;
-        result->most[i] = values[lane];
-        result->position[i] = positions[lane];
-      }
+      Of::Store(positions, most.position[i]);
+      result->position[i] = positions[lane] + lane;
     }
   }
 
@@ -114,97 +132,122 @@ struct TileLoops {
     return {low * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
-  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
-  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
-  template <int Shapelets>
-  struct Sums {
-    Vector turned[Shapelets][Vectors];
+  /// Some shapelets of a group, by their index in it.
+  template <int Count>
+  struct Members {
+    int index[Count];
+  };
 
-    void Add(const PartialArguments& arguments, int shapelet, int position, int overlap) {
-      const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
+  /// Sums of `Count` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
+  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
+  template <int Count>
+  struct Sums {
+    Vector turned[Count][Vectors];
+
+    template <bool Add>
+    void Change(const PartialArguments& arguments, const Members<Count>& members, int position, int overlap) {
+      const float* values = arguments.values + kGroup * (overlap - 1);
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
-      Vector value[Shapelets];
-      for (int i = 0; i < Shapelets; ++i) value[i] = Of::Spread(values[i]);
+      Vector value[Count];
+      for (int i = 0; i < Count; ++i) value[i] = Of::Spread(values[members.index[i]]);
       for (int v = 0; v < Vectors; ++v) {
         const Vector sample = Of::LoadOnce(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] -= value[i] * sample;
-      }
-    }
-    void Remove(const PartialArguments& arguments, int shapelet, int position, int overlap) {
-      const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
-      const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
-      Vector value[Shapelets];
-      for (int i = 0; i < Shapelets; ++i) value[i] = Of::Spread(values[i]);
-      for (int v = 0; v < Vectors; ++v) {
-        const Vector sample = Of::LoadOnce(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] += value[i] * sample;
+        for (int i = 0; i < Count; ++i) {
+          turned[i][v] = Add ? turned[i][v] - value[i] * sample : turned[i][v] + value[i] * sample;
+        }
       }
     }
   };
 
   /// Calls `evaluate` at every overlap of the range, in the direction that takes fewer steps to reach it.
-  template <int Shapelets, typename Evaluate>
-  static void Walk(const PartialArguments& arguments, int shapelet, int tile, Range range, Evaluate evaluate) {
+  template <int Count, typename Evaluate>
+  static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
+                   Evaluate evaluate) {
     const int position = tile * kPositions;
-    Sums<Shapelets> sums{};
+    Sums<Count> sums{};
     if (HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low) {
-      for (int i = 0; i < Shapelets; ++i) {
+      for (int i = 0; i < Count; ++i) {
         for (int v = 0; v < Vectors; ++v) {
-          sums.turned[i][v] = -Load(arguments.sums + (shapelet + i) * arguments.stride + position + v * Lanes);
+          sums.turned[i][v] = -Load(arguments.sums + members.index[i] * arguments.stride + position + v * Lanes);
         }
       }
       for (int overlap = arguments.length; overlap > range.high + 1; --overlap) {
-        sums.Remove(arguments, shapelet, position, overlap);
+        sums.template Change<false>(arguments, members, position, overlap);
       }
       for (int overlap = range.high; overlap >= range.low; --overlap) {
-        sums.Remove(arguments, shapelet, position, overlap + 1);
+        sums.template Change<false>(arguments, members, position, overlap + 1);
         evaluate(sums, position + arguments.direction * overlap, overlap);
       }
     } else {
-      for (int overlap = 1; overlap < range.low; ++overlap) sums.Add(arguments, shapelet, position, overlap);
+      for (int overlap = 1; overlap < range.low; ++overlap) {
+        sums.template Change<true>(arguments, members, position, overlap);
+      }
       for (int overlap = range.low; overlap <= range.high; ++overlap) {
-        sums.Add(arguments, shapelet, position, overlap);
+        sums.template Change<true>(arguments, members, position, overlap);
         evaluate(sums, position + arguments.direction * overlap, overlap);
       }
     }
   }
 
-  /// The sign of best M sigma - (A - mu S) tells whether the value exceeds the best: signs are collected by an OR,
-  /// which leaves the units that multiply and add to the sums.
-  template <int Shapelets>
-  static bool AnyBetter(const PartialArguments& arguments, int shapelet, int tile, Range range) {
-    Integers signs = {};
-    Vector best[Shapelets];
-    for (int i = 0; i < Shapelets; ++i) best[i] = Vector{} + arguments.best[shapelet + i];
-    Walk<Shapelets>(arguments, shapelet, tile, range, [&](const Sums<Shapelets>& sums, int window, int overlap) {
-      Vector within[Shapelets];
-      for (int i = 0; i < Shapelets; ++i) within[i] = Of::Spread(arguments.within[kGroup * overlap + shapelet + i]);
+  /// A bit for each shapelet of the group that exceeds its best. The sign of best M sigma - (A - mu S) tells: signs are
+  /// collected by an OR, which leaves the units that multiply and add to the sums.
+  template <int Count>
+  static unsigned AnyBetter(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range) {
+    Integers signs[Count] = {};
+    Vector best[Count];
+    for (int i = 0; i < Count; ++i) best[i] = Vector{} + arguments.best[members.index[i]];
+    Walk<Count>(arguments, members, tile, range, [&](const Sums<Count>& sums, int window, int overlap) {
+      const float* of_overlap = arguments.within + kGroup * overlap;
+      Vector within[Count];
+      for (int i = 0; i < Count; ++i) within[i] = Of::Spread(of_overlap[members.index[i]]);
       for (int v = 0; v < Vectors; ++v) {
         const Vector mean = Of::LoadOnce(arguments.mean + window + v * Lanes);
         const Vector spread = Of::LoadOnce(arguments.spread + window + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) {
-          signs |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
+        for (int i = 0; i < Count; ++i) {
+          signs[i] |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
         }
       }
     });
-    return Of::Signs(signs) != 0;
+    unsigned better = 0;
+    for (int i = 0; i < Count; ++i) better |= (Of::Signs(signs[i]) != 0 ? 1U : 0U) << members.index[i];
+    return better;
   }
 
-  static int FindBetter(const PartialArguments& arguments, int tile, int end) {
+  /// AnyBetter() of the `Count` shapelets from `member` on, over all overlaps that are useful to one of them.
+  template <int Count>
+  static unsigned AnyOfThese(const PartialArguments& arguments, const int* member, const Range* ranges, int tile) {
+    Members<Count> members;
+    Range all = ranges[0];
+    for (int i = 0; i < Count; ++i) {
+      members.index[i] = member[i];
+      if (ranges[i].low < all.low) all.low = ranges[i].low;
+      if (ranges[i].high > all.high) all.high = ranges[i].high;
+    }
+    return AnyBetter<Count>(arguments, members, tile, all);
+  }
+
+  static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     for (; tile < end; ++tile) {
-      const Range first = UsefulOverlaps(arguments, 0, tile);
-      const Range second = UsefulOverlaps(arguments, 1, tile);
-      const bool one = first.low <= first.high;
-      const bool other = second.low <= second.high;
-      if (one && other) {
-        const Range both{first.low < second.low ? first.low : second.low,
-                         first.high > second.high ? first.high : second.high};
-        if (AnyBetter<2>(arguments, 0, tile, both)) break;
-      } else if (one) {
-        if (AnyBetter<1>(arguments, 0, tile, first)) break;
-      } else if (other) {
-        if (AnyBetter<1>(arguments, 1, tile, second)) break;
+      int members[kGroup];
+      Range ranges[kGroup];
+      int count = 0;
+      for (int i = 0; i < arguments.count; ++i) {
+        ranges[count] = UsefulOverlaps(arguments, i, tile);
+        members[count] = i;
+        if (ranges[count].low <= ranges[count].high) ++count;
       }
+      *better = 0;
+      int done = 0;
+      if (kTogether >= 4 && count == 4) {
+        *better = AnyOfThese<4>(arguments, members, ranges, tile);
+        done = 4;
+      } else if (kTogether >= 3 && count == 3) {
+        *better = AnyOfThese<3>(arguments, members, ranges, tile);
+        done = 3;
+      }
+      for (; done + 2 <= count; done += 2) *better |= AnyOfThese<2>(arguments, members + done, ranges + done, tile);
+      if (done < count) *better |= AnyOfThese<1>(arguments, members + done, ranges + done, tile);
+      if (*better != 0) break;
     }
     return tile;
   }
@@ -213,7 +256,7 @@ struct TileLoops {
     Vector most[Vectors] = {};
     Integers at[Vectors] = {};
     const Range range = UsefulOverlaps(arguments, shapelet, tile);
-    Walk<1>(arguments, shapelet, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
+    Walk<1>(arguments, {{shapelet}}, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
       for (int v = 0; v < Vectors; ++v) {
         const Vector mean = Load(arguments.mean + window + v * Lanes);
