@@ -36,26 +36,6 @@ double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float*
   return sum * windows.inverse_deviation()[window] / length;
 }
 
-/// A stretch of windows that begins and ends with one that counts.
-struct Stretch {
-  int first;
-  int end;
-};
-
-/// The next stretch from window `from` on; `first` is the number of windows where there is none. It ends where no
-/// window counts for long, and else after some length, since values are centred on the mean of a stretch.
-Stretch NextStretch(const WindowSet& windows, int from) {
-  const int gap = windows.length() + tile::kPadding;
-  const int most = std::max(1024, 4 * windows.length());
-  while (from < windows.window_count() && windows.IsFlat(from)) ++from;
-  Stretch stretch{from, std::min(from + 1, windows.window_count())};
-  const int limit = std::min(from + most, windows.window_count());
-  for (int window = from; window < std::min(limit, stretch.end + gap); ++window) {
-    if (!windows.IsFlat(window)) stretch.end = window + 1;
-  }
-  return stretch;
-}
-
 /// The search in a stretch of windows.
 class Search {
  public:
@@ -196,9 +176,8 @@ void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, con
   std::vector<Match> found(static_cast<std::size_t>(shapelets.count()));
   Search search(loops, windows, shapelets, &found);
   search.TakeHints(hints);
-  for (Stretch stretch = NextStretch(windows, 0); stretch.first < windows.window_count();
-       stretch = NextStretch(windows, stretch.end)) {
-    search.Run(stretch.first, stretch.end - stretch.first, options.prune);
+  for (const WindowStretch& stretch : windows.stretches()) {
+    search.Run(stretch.first, stretch.count, options.prune);
   }
   *matches = std::move(found);
 }

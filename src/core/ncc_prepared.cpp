@@ -22,11 +22,14 @@ constexpr int kSums = 4;
 constexpr int kSquares = 5;
 constexpr int kHeads = 6;
 constexpr int kTails = 7;
-constexpr int kColumns = 8;
+constexpr int kEnergyScale = 8;
+constexpr int kBeforeWindow = 9;
+constexpr int kToWindowEnd = 10;
+constexpr int kColumns = 11;
 
 /// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the
 /// most.
-int BlockSize(int length) { return std::max(std::clamp(length / 8, 2, 8), (length - 2) / tile::kBlocks + 1); }
+int BlockSize(int length) { return std::max(std::clamp(length / 8, 4, 8), (length - 2) / tile::kBlocks + 1); }
 
 OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eigen::MatrixXf>& normalised,
                    bool reverse) {
@@ -133,7 +136,7 @@ void PreparedWindows::FillBounds(const tile::Loops& loops, bool prune) {
   arguments.squares = Column(kSquares);
   arguments.mean = mean();
   arguments.scale = scale();
-  arguments.rounding = 1e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
+  arguments.rounding = 2e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
   arguments.unbounded = prune ? 0.0F : kUnbounded;
   arguments.length = length_;
   arguments.block = block_;
@@ -142,6 +145,9 @@ void PreparedWindows::FillBounds(const tile::Loops& loops, bool prune) {
   arguments.tiles = all_tiles();
   arguments.heads = Column(kHeads);
   arguments.tails = Column(kTails);
+  arguments.energy_scale = Column(kEnergyScale);
+  arguments.before_window = Column(kBeforeWindow);
+  arguments.to_window_end = Column(kToWindowEnd);
   arguments.prefix = bounds_.data();
   arguments.suffix = bounds_.data() + all_tiles();
   loops.all_bounds(arguments);

@@ -107,6 +107,9 @@ struct BoundArguments {
   int tiles;             ///< with these
   float* heads;          ///< scratch by window, zeros beyond the windows, as far as the bounds reach
   float* tails;          ///< the same
+  float* energy_scale;   ///< scratch by window, without such zeros
+  float* before_window;  ///< the same
+  float* to_window_end;  ///< the same
   Bounds* prefix;        ///< by tile, from the first one: overlaps of the shapelet's first samples, w > 0
   Bounds* suffix;        ///< the same of its last samples
 };

@@ -109,27 +109,28 @@ struct TileLoops {
     return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
-  /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at
-  /// most the root of the energies of both within the overlap; and it differs from the full overlap at the same
-  /// position, measured by the same window, at most by the root of the energies of both without.
-  static Range UsefulOverlaps(const PartialArguments& arguments, int shapelet, int tile) {
+  /// A bit for each block of overlaps of a tile in which a shapelet can exceed its best. By Cauchy and Schwarz, the
+  /// value is at most the root of the energies of both within the overlap; and it differs from the full overlap at the
+  /// same position, measured by the same window, at most by the root of the energies of both without.
+  static unsigned UsefulBlocks(const PartialArguments& arguments, int shapelet, int tile, bool has_full) {
     const Bounds& bounds = arguments.bounds[tile];
     const Energies& energies = arguments.energies[shapelet];
     const float best = arguments.best[shapelet];
-    const bool has_full = HasFullOverlaps(arguments, tile);
     const float full = has_full ? arguments.largest[kGroup * tile + shapelet] : kUnknown;
-    unsigned bits = 0;
+    unsigned useless = 0;
     for (int block = 0; block < kBlocks; block += Lanes) {
+      const Vector head = Load(energies.head + block) * Load(bounds.head + block) - best * best;
       const Vector rest = best - full * Load(bounds.scale + block);
-      const Integers near = (rest <= 0.0F) | (Load(energies.tail + block) * Load(bounds.tail + block) > rest * rest);
-      const Integers strong = Load(energies.head + block) * Load(bounds.head + block) > Vector{} + best * best;
-      bits |= Of::Signs(near & strong) << block;
+      const Vector tail = Of::Larger(Load(energies.tail + block) * Load(bounds.tail + block) - rest * rest, -rest);
+      // The sign of the smaller one says that one of the bounds is below the best.
+      useless |= Of::Signs((Integers)(head < tail ? head : tail)) << block;
     }
-    if (bits == 0) return {1, 0};
-    const int low = __builtin_ctz(bits);
-    const int high = 31 - __builtin_clz(bits);
-    const int last = (high + 1) * arguments.block;
-    return {low * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
+    return ~useless & ((1U << kBlocks) - 1U);
+  }
+
+  static Range OverlapsOf(const PartialArguments& arguments, unsigned blocks) {
+    const int last = (32 - __builtin_clz(blocks)) * arguments.block;
+    return {__builtin_ctz(blocks) * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
   /// Some shapelets of a group, by their index in it.
@@ -228,13 +229,17 @@ struct TileLoops {
 
   static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     for (; tile < end; ++tile) {
+      const bool has_full = HasFullOverlaps(arguments, tile);
+      unsigned blocks[kGroup] = {};
+      for (int i = 0; i < arguments.count; ++i) blocks[i] = UsefulBlocks(arguments, i, tile, has_full);
+      if ((blocks[0] | blocks[1] | blocks[2] | blocks[3]) == 0) continue;
       int members[kGroup];
       Range ranges[kGroup];
       int count = 0;
       for (int i = 0; i < arguments.count; ++i) {
-        ranges[count] = UsefulOverlaps(arguments, i, tile);
-        members[count] = i;
-        if (ranges[count].low <= ranges[count].high) ++count;
+        if (blocks[i] == 0) continue;
+        ranges[count] = OverlapsOf(arguments, blocks[i]);
+        members[count++] = i;
       }
       *better = 0;
       int done = 0;
@@ -255,7 +260,8 @@ struct TileLoops {
   static void MostInTile(const PartialArguments& arguments, int shapelet, int tile, TileResult* result) {
     Vector most[Vectors] = {};
     Integers at[Vectors] = {};
-    const Range range = UsefulOverlaps(arguments, shapelet, tile);
+    const bool has_full = HasFullOverlaps(arguments, tile);
+    const Range range = OverlapsOf(arguments, UsefulBlocks(arguments, shapelet, tile, has_full));
     Walk<1>(arguments, {{shapelet}}, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
       for (int v = 0; v < Vectors; ++v) {

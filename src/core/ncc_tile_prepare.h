@@ -34,25 +34,25 @@ struct PreparationLoops {
     return hard_count;
   }
 
-  /// energies[j] = sum (t - mu_j)^2 / (M sigma_j^2) over `samples` samples from j + first on, or a little more.
-  static void Energies(const BoundArguments& arguments, int first, int samples, float* energies) {
-    const float* before = arguments.sums + first;
-    const float* squares_before = arguments.squares + first;
-    const auto number = static_cast<float>(samples);
-    const auto length = static_cast<float>(arguments.length);
-    for (int window = 0; window < arguments.count; window += Lanes) {
-      const Vector mean = Of::LoadOnce(arguments.mean + window);
-      const Vector scale = Of::LoadOnce(arguments.scale + window);
-      const Vector sum = Load(before + window + samples) - Load(before + window);
-      const Vector square = Load(squares_before + window + samples) - Load(squares_before + window);
-      const Vector energy = square - mean * (2.0F * sum - number * mean) + arguments.rounding;
-      Of::Store(energies + window, energy * (scale * scale * length));
-    }
+  /// sum (t - mu_j)^2 over the samples before j + at, less what is the same of every `at`: mu_j^2 (j + at) is counted
+  /// by the sample as mu_j^2 at.
+  static Vector EnergyBefore(const BoundArguments& arguments, int window, int at) {
+    const Vector mean = Of::LoadOnce(arguments.mean + window);
+    const Vector sum = Load(arguments.sums + window + at);
+    return Load(arguments.squares + window + at) - mean * (sum + sum - static_cast<float>(at) * mean);
   }
 
-  static void Fill(const BoundArguments& arguments, int first, int samples, float* energies) {
-    if (arguments.unbounded == 0.0F) return Energies(arguments, first, samples, energies);
-    for (int window = 0; window < arguments.count; ++window) energies[window] = arguments.unbounded;
+  /// energies[j] = sum (t - mu_j)^2 / (M sigma_j^2) over the samples from j + at to where `fixed` was taken, or a
+  /// little more. `sign` is 1 where these come after j + at, and -1 where they come before.
+  static void Energies(const BoundArguments& arguments, const float* fixed, float sign, int at, float* energies) {
+    if (arguments.unbounded > 0.0F) {
+      for (int window = 0; window < arguments.count; ++window) energies[window] = arguments.unbounded;
+      return;
+    }
+    for (int window = 0; window < arguments.count; window += Lanes) {
+      const Vector energy = sign * (Load(fixed + window) - EnergyBefore(arguments, window, at)) + arguments.rounding;
+      Of::Store(energies + window, energy * Load(arguments.energy_scale + window));
+    }
   }
 
   /// The largest of `count` >= kPositions values.
@@ -75,16 +75,22 @@ struct PreparationLoops {
 
   static void AllBounds(const BoundArguments& arguments) {
     const int length = arguments.length;
+    for (int window = 0; window < arguments.count; window += Lanes) {
+      const Vector scale = Load(arguments.scale + window);
+      Of::Store(arguments.energy_scale + window, scale * scale * static_cast<float>(length));
+      Of::Store(arguments.before_window + window, EnergyBefore(arguments, window, 0));
+      Of::Store(arguments.to_window_end + window, EnergyBefore(arguments, window, length));
+    }
     for (int block = 0; block * arguments.block < length - 1; ++block) {
       const int least = block * arguments.block + 1;
       const int last = (block + 1) * arguments.block;
       const int most = last < length ? last : length - 1;
       const int span = kPositions + most - least;
-      Fill(arguments, length - most, most, arguments.heads);
-      Fill(arguments, length, length - least, arguments.tails);
+      Energies(arguments, arguments.to_window_end, 1.0F, length - most, arguments.heads);
+      Energies(arguments, arguments.to_window_end, -1.0F, 2 * length - least, arguments.tails);
       OneBlock(arguments, block, least - length, span, arguments.prefix);
-      Fill(arguments, 0, most, arguments.heads);
-      Fill(arguments, least - length, length - least, arguments.tails);
+      Energies(arguments, arguments.before_window, -1.0F, most, arguments.heads);
+      Energies(arguments, arguments.before_window, 1.0F, least - length, arguments.tails);
       OneBlock(arguments, block, length - most, span, arguments.suffix);
     }
   }
