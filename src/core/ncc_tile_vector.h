@@ -74,8 +74,14 @@ struct VectorOf {
 
   /// The largest lane.
   static float Largest(Floats vector) {
-#if defined(__AVX512F__)
-    if constexpr (Lanes == 16) return _mm512_reduce_max_ps((__m512)vector);
+#if defined(__AVX512DQ__)
+    if constexpr (Lanes == 16) {
+      const auto whole = (__m512)vector;
+      // Without a mask, this and the cast to a half make the compiler warn of what its own header leaves undefined.
+      const __m256 lower = _mm512_maskz_extractf32x8_ps(0xFF, whole, 0);
+      const __m256 upper = _mm512_maskz_extractf32x8_ps(0xFF, whole, 1);
+      return VectorOf<8>::Largest((typename VectorOf<8>::Floats)_mm256_max_ps(lower, upper));
+    }
 #endif
 #if defined(__AVX__)
     if constexpr (Lanes == 8) {
