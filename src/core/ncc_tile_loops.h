@@ -74,7 +74,8 @@ struct TileLoops {
   }
 
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
-    Most most{};
+    Most most;
+    for (int i = 0; i < kGroup; ++i) most.value[i] = Vector{}, most.position[i] = Integers{};
     for (int position = 0; position < arguments.count; position += kPositions) {
       if (!AnyCounts(arguments.scale + position)) {
         for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
