@@ -165,13 +165,18 @@ void Inspect(const BagArguments& arguments) {
 
 }  // namespace
 
-void AddInspectCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("inspect", "Says what is in bags, what is wrong with it, and what to do");
+Command InspectCommand() {
+  Command command;
+  command.name = "inspect";
+  command.description = "Says what is in bags, models included, what is wrong with it, and what to do";
+  command.usage = "BAG...";
   const auto arguments = std::make_shared<BagArguments>();
-  command->add_option("bags", arguments->bags, "Bags of any kind, models included")->required();
-  command->add_option("--wrench-topic", arguments->wrench_topic, "Only this wrench (default: all of them)");
-  command->add_option("--config", arguments->configs, "YAML files with parameters of the segmentation");
-  command->callback([arguments] { Inspect(*arguments); });
+  AddBagArguments(&command, arguments.get());
+  command.run = [arguments] {
+    Inspect(*arguments);
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

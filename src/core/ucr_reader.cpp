@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -55,7 +56,9 @@ double Number(const std::string& text, const std::string& path, int row, std::si
   if (text.empty() || *end != '\0') {
     Fail(path, row, "column " + std::to_string(column + 1) + " holds '" + text + "', which is not a number");
   }
-  if (std::isinf(value)) Fail(path, row, "column " + std::to_string(column + 1) + " holds an infinite value");
+  if (std::abs(value) > std::numeric_limits<float>::max()) {
+    Fail(path, row, "column " + std::to_string(column + 1) + " holds an infinite value");
+  }
   return value;
 }
 

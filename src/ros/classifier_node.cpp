@@ -101,7 +101,7 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
     features_publisher_.publish(FeaturesMessage(episode, model, result.features));
     ++diagnosed_;
     episode_fault_.clear();
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     ++refused_;
     episode_fault_ = "episode " + message.episode_id + " is not diagnosed: " + OneLine(error.what());
     ROS_ERROR_THROTTLE(1.0, "%s", episode_fault_.c_str());

@@ -8,6 +8,7 @@
 #include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/parameters.h"
 #include "contact_shapelets/ros/topics.h"
 #include "text.h"
@@ -138,13 +139,14 @@ TrainResult TrainerNode::Train(const Task& task, const core::ProgressCallback& p
 
 void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& progress, TrainResult* result) {
   if (!parameter_faults_.empty()) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
-  if (task.output.empty()) throw std::runtime_error("output: expected the path of the model to write, but it is empty");
-  SetState(DiagnosticStatus::OK, "training");
   const auto go_on = [&progress](const core::TrainingProgress& state) {
     if (!progress(state)) throw core::TrainingCancelled();
   };
   std::vector<std::string> bags;
   for (const std::string& bag : task.bags) bags.push_back(WholePath(bag));
+  const std::string output = WholePath(task.output);
+  CheckModelOutput("output", output, bags);
+  SetState(DiagnosticStatus::OK, "training");
   const std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
     go_on({0, 0, 0.0, kReadingPart * done});
   });
@@ -160,7 +162,6 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
       });
   go_on(last);
   training.model.provenance.sources = bags;
-  const std::string output = WholePath(task.output);
   SaveModel(output, training.model);
   model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
   result->model_id = training.model.id;

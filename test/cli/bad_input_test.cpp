@@ -111,7 +111,7 @@ TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
   const std::string config = WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
   ExpectRefusal({"train", Sound(), "--model", model_, "--config", config}, 1,
                 {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
-                 "sample_period must be in (0, 1] s, but is 7", "stepps is not a parameter"});
+                 "sample_period must be in [0.0001, 1] s, but is 7", "stepps is not a parameter"});
 }
 
 TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
@@ -138,7 +138,7 @@ TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
 
 TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
   const std::string bag = Sound();
-  ExpectRefusal({}, 2, {"subcommand"});
+  ExpectRefusal({}, 2, {"train, classify"});
   ExpectRefusal({"learn"}, 2, {"train, classify", "learn"});
   ExpectRefusal({"train", bag}, 2, {"--model"});
   ExpectRefusal({"train", bag, "--model", model_, "--clusters", "1"}, 2, {"--clusters", "1"});
