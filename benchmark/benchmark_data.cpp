@@ -21,8 +21,9 @@ Eigen::VectorXf RandomWalk(int count, std::uint64_t seed) {
 
 std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed) {
   const char* folder = std::getenv("CONTACT_SHAPELETS_BAGS");
-  if (folder == nullptr)
+  if (folder == nullptr) {
     throw std::runtime_error("CONTACT_SHAPELETS_BAGS does not name the folder of the recorded bags");
+  }
   static const std::vector<core::Episode> recorded =
       ReadEpisodes(std::string(folder) + "/switch_push_train.bag", BagReaderOptions{}).episodes;
   core::Random random(seed);

@@ -112,8 +112,8 @@ class Received {
               const std::lock_guard<std::mutex> lock(mutex_);
               for (const auto& status : array->status) {
                 for (const auto& entry : status.values) {
-                  if (entry.key == "samples")
-                    samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
+                  if (entry.key != "samples") continue;
+                  samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
                 }
               }
             })) {}
@@ -164,6 +164,7 @@ int main(int argc, char** argv) {
   spinner.start();
   const Received received;
   std::vector<std::unique_ptr<Robot>> all;
+  all.reserve(static_cast<std::size_t>(robots));
   for (int index = 0; index < robots; ++index) {
     all.push_back(std::make_unique<Robot>("robot" + std::to_string(index), rate));
   }

@@ -11,8 +11,7 @@ namespace contact_shapelets::cli {
 namespace po = boost::program_options;
 
 int RunCommand(const Command& command, const std::vector<std::string>& arguments) {
-  po::options_description shown("Options");
-  shown.add(command.options);
+  po::options_description shown = command.options;
   shown.add_options()("help,h", "Prints this");
   po::options_description all;
   all.add(shown).add(command.places);
@@ -31,6 +30,10 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
       return 0;
     }
     po::notify(values);
+  } catch (const po::required_option& missing) {
+    const std::string option = missing.get_option_name();
+    throw UsageError(command.name + ": expected " + command.usage + ", but " +
+                     option.substr(option.find_first_not_of('-')) + " is missing");
   } catch (const po::error& error) {
     throw UsageError(command.name + ": " + error.what());
   }

@@ -57,7 +57,7 @@ void WriteCsv(const std::string& path, const std::vector<core::Episode>& episode
     file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
          << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
-    for (const float distance : results[index].features.distances) file << ',' << distance;
+    for (Eigen::Index k = 0; k < shapelets; ++k) file << ',' << results[index].features.distances[k];
     file << '\n';
   }
   file.close();
