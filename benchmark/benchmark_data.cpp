@@ -15,7 +15,7 @@ Eigen::VectorXf RandomWalk(int count, std::uint64_t seed) {
   core::Random random(seed);
   Eigen::VectorXf walk(count);
   double sum = 0.0;
-  for (float& value : walk) value = static_cast<float>(sum += random.Normal());
+  for (int index = 0; index < count; ++index) walk[index] = static_cast<float>(sum += random.Normal());
   return walk;
 }
 
@@ -32,7 +32,8 @@ std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed) {
     core::Episode push = recorded[static_cast<std::size_t>(index) % recorded.size()];
     push.id = std::to_string(index);
     push.force = core::StretchedTo(push.force, kEpisodeLength);
-    for (float& value : push.force) value = std::abs(value + static_cast<float>(0.3 * random.Normal()));
+    push.force = push.force.unaryExpr(
+        [&random](float value) { return std::abs(value + static_cast<float>(0.3 * random.Normal())); });
     pushes.push_back(std::move(push));
   }
   return pushes;

@@ -44,7 +44,7 @@ struct Arguments {
   void Check() const {
     for (const int count : {train, test, raw, novel, threads}) {
       if (count < 0 || count > 100000)
-        throw std::invalid_argument("numbers of episodes and threads go from 0 to 100000");
+        throw std::invalid_argument("a number of episodes or threads is not in 0 to 100000");
     }
     if (samples < 400 || samples > 10000) throw std::invalid_argument("--samples must be from 400 to 10000");
     if (!(raw_rate >= 30.0 && raw_rate <= 1000.0)) throw std::invalid_argument("--raw-rate must be from 30 to 1000");
@@ -133,7 +133,7 @@ class RawWriter {
 
   void Run(SimulatedCell* cell, double duration) {
     const auto cycles = std::lround(duration / SimulatedCell::kPeriod);
-    for (long cycle = 0; cycle < cycles; ++cycle) {
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
       now_ += FromSeconds(SimulatedCell::kPeriod);
       const CellState& state = cell->Step();
       if (1e-9 * static_cast<double>(now_ - kEpoch) * arguments_.raw_rate < static_cast<double>(written_)) continue;
@@ -155,7 +155,7 @@ class RawWriter {
   Arguments arguments_;
   rosbag::Bag bag_;
   core::Nanoseconds now_ = kEpoch;
-  long written_ = 0;
+  std::int64_t written_ = 0;
 };
 
 void WriteAll(const Arguments& arguments) {

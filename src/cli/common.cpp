@@ -6,10 +6,10 @@
 #include <cstdio>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 
 #include "cli/text.h"
+#include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/ros/parameters.h"
 
 namespace contact_shapelets::cli {
@@ -117,24 +117,8 @@ void ProgressLine::Show(double done) {
   std::cerr << text << std::flush;
 }
 
-std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
-                                                  const std::vector<int>& labels) {
-  std::map<std::string, int> classes;
-  std::vector<int> used;
-  std::vector<int> given;
-  for (std::size_t index = 0; index < episodes.size(); ++index) {
-    if (episodes[index].outcome.empty()) continue;
-    used.push_back(labels[index]);
-    given.push_back(classes.emplace(episodes[index].outcome, static_cast<int>(classes.size())).first->second);
-  }
-  if (used.size() < 2) return std::nullopt;
-  const auto size = static_cast<Eigen::Index>(used.size());
-  return OutcomeScores{used.size(), core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
-                                                            Eigen::Map<const Eigen::VectorXi>(given.data(), size))};
-}
-
-void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels) {
-  const std::optional<OutcomeScores> result = ScoreAgainstOutcomes(episodes, labels);
+void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels) {
+  const auto result = core::CompareWithOutcomes(labels, episodes);
   if (!result) return;
   std::printf("Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
               result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.h"
 #include "contact_shapelets/core/episode.h"
-#include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/core/trainer.h"
 #include "contact_shapelets/ros/episode_bag_reader.h"
 
@@ -63,18 +61,8 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-/// Labels compared with the outcomes of those episodes that have one.
-struct OutcomeScores {
-  std::size_t episodes = 0;  ///< with an outcome
-  core::PartitionScores scores;
-};
-
-/// How `labels`, one per episode, agree with the outcomes; nothing where fewer than two episodes have one.
-std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
-                                                  const std::vector<int>& labels);
-
 /// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing
 /// where none has.
-void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels);
+void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels);
 
 }  // namespace contact_shapelets::cli

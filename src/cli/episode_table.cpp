@@ -38,9 +38,11 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
   return results;
 }
 
-std::vector<int> NearestClusters(const std::vector<core::Classification>& results) {
-  std::vector<int> clusters;
-  for (const core::Classification& result : results) clusters.push_back(result.diagnosis.nearest_cluster);
+Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results) {
+  Eigen::VectorXi clusters(results.size());
+  for (std::size_t index = 0; index < results.size(); ++index) {
+    clusters[static_cast<Eigen::Index>(index)] = results[index].diagnosis.nearest_cluster;
+  }
   return clusters;
 }
 

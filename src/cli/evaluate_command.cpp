@@ -13,6 +13,7 @@
 
 #include "cli/common.h"
 #include "cli/evaluation_report.h"
+#include "cli/text.h"
 #include "contact_shapelets/core/evaluation.h"
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/ucr_reader.h"
@@ -48,12 +49,6 @@ class Faults {
   bool any_ = false;
 };
 
-std::string Joined(const std::vector<std::string>& paths) {
-  std::string joined;
-  for (const std::string& path : paths) joined += (joined.empty() ? "" : ", ") + path;
-  return joined;
-}
-
 /// The episodes that have an outcome; `numbers` numbers the outcomes.
 core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
                                       std::map<std::string, int>* numbers) {
@@ -64,7 +59,8 @@ core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, con
     labelled.series.push_back(episode.force);
     classes.push_back(numbers->emplace(episode.outcome, static_cast<int>(numbers->size())).first->second);
   }
-  if (classes.empty()) throw std::runtime_error(Joined(paths) + ": expected episodes with an outcome, found none");
+  if (classes.empty())
+    throw std::runtime_error(Joined(paths, ", ") + ": expected episodes with an outcome, found none");
   labelled.classes = Eigen::Map<Eigen::VectorXi>(classes.data(), static_cast<Eigen::Index>(classes.size()));
   return labelled;
 }
@@ -85,7 +81,7 @@ core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions&
   data_set.class_count = static_cast<int>(numbers.size());
   const auto fewest = static_cast<int>(std::min(data_set.train.series.size(), data_set.test.series.size()));
   if (data_set.class_count < 2 || fewest < data_set.class_count) {
-    throw std::runtime_error(Joined(paths) +
+    throw std::runtime_error(Joined(paths, ", ") +
                              ": expected 2 or more outcomes and an episode for each in both splits, found " +
                              std::to_string(data_set.class_count) + " outcomes and " + std::to_string(fewest) +
                              " episodes in the smaller split");

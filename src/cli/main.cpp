@@ -1,7 +1,9 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "cli/report_command.h"
 #include "cli/text.h"
 #include "cli/train_command.h"
+#include "ros/text.h"
 
 namespace {
 
@@ -19,13 +22,6 @@ using contact_shapelets::cli::Command;
 
 constexpr int kBadInput = 1;
 constexpr int kWrongUsage = 2;
-
-/// The message in one line: lists of faults have one in each.
-std::string OneLine(std::string text) {
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
-  return text;
-}
 
 int PrintHelp(const std::vector<Command>& commands) {
   std::cout << "Learns force patterns from recorded episodes, and names the outcome of new ones.\n"
@@ -53,15 +49,18 @@ int Run(const std::vector<Command>& commands, const std::vector<std::string>& ar
 int main(int argc, char** argv) {
   ros::Time::init();
   try {
-    return Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
-                contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
-                contact_shapelets::cli::ReportCommand()},
-               {argv + 1, argv + argc});
+    const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
+                            contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
+                            contact_shapelets::cli::ReportCommand()},
+                           {argv + 1, argv + argc});
+    std::cout.flush();
+    if (std::fflush(stdout) != 0 || !std::cout) throw std::runtime_error("the results cannot be written to stdout");
+    return status;
   } catch (const contact_shapelets::cli::UsageError& error) {
-    std::cerr << "shapelets: " << OneLine(error.what()) << " (shapelets --help says more)\n";
+    std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << " (shapelets --help says more)\n";
     return kWrongUsage;
   } catch (const std::exception& error) {
-    std::cerr << "shapelets: " << OneLine(error.what()) << '\n';
+    std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << '\n';
     return kBadInput;
   }
 }

@@ -8,6 +8,7 @@
 #include "cli/report_plots.h"
 #include "cli/svg_plot.h"
 #include "cli/text.h"
+#include "contact_shapelets/core/partition_metrics.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -73,7 +74,7 @@ std::string Summary(const ReportContents& contents) {
       Escaped(Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
               " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
               Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
-  const auto agreement = ScoreAgainstOutcomes(contents.episodes, NearestClusters(contents.results));
+  const auto agreement = core::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
   if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
   const core::PartitionScores& scores = agreement->scores;
   return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +

@@ -82,7 +82,7 @@ void Train(const Arguments& arguments) {
   PrintTraining(result, episodes, seconds);
   PrintClusters(result, episodes);
   std::printf("Model %s is in %s\n", result.model.id.c_str(), arguments.model.c_str());
-  PrintScores(episodes, std::vector<int>(result.labels.data(), result.labels.data() + result.labels.size()));
+  PrintScores(episodes, result.labels);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <thread>
+
 #include "cli/made_bags.h"
 #include "cli/program.h"
 
@@ -164,15 +167,35 @@ TEST_F(BadInputTest, FailedTrainingLeavesTheOldModel) {
   EXPECT_EQ(ReadFile(model_), before);
 }
 
-TEST_F(BadInputTest, KilledTrainingLeavesTheOldModelAndNothingElse) {
+TEST_F(BadInputTest, ResultsThatCannotBeWrittenToStdoutAreAFault) {
+  const ProgramRun run = RunShapeletsWithoutSpace({"inspect", Sound()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;
+}
+
+TEST_F(BadInputTest, TrainingsThatEndTogetherLeaveOneWholeModel) {
+  const std::string bag = Sound();
+  const std::vector<std::string> arguments{"train", bag, "--model", model_, "--config", quick_};
+  std::vector<std::thread> trainings;
+  for (int index = 0; index < 4; ++index) {
+    trainings.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
+  }
+  for (std::thread& training : trainings) training.join();
+  EXPECT_EQ(RunShapelets({"classify", bag, "--model", model_}).status, 0);
+  for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+TEST_F(BadInputTest, TrainingEndedByASignalLeavesTheOldModelAndNothingElse) {
   const std::string bag = Sound();
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string before = ReadFile(model_);
   const std::vector<std::string> files = folder_.Files();
   const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
-  ASSERT_TRUE(KillShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go"));
-  EXPECT_EQ(ReadFile(model_), before);
-  EXPECT_EQ(folder_.Files(), files);
+  for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
+    ASSERT_TRUE(EndShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go", number)) << number;
+    EXPECT_EQ(ReadFile(model_), before) << number;
+    EXPECT_EQ(folder_.Files(), files) << number;
+  }
 }
 
 }  // namespace
