@@ -194,6 +194,11 @@ TEST(Classifier, RefusesABadEpisodeAndRecovers) {
   episode.force.front() = std::numeric_limits<float>::quiet_NaN();
   node.End(episode);
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::WARN, "not finite"));
+  // As many samples at the model's period as no memory holds.
+  Episode endless = AnEpisode();
+  endless.sample_period = 1e8;
+  node.End(endless);
+  EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::WARN, "sample period"));
   Diagnosis diagnosis;
   ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::OK, "model in use"));
