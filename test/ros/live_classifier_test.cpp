@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "contact_shapelets/ros/conversions.h"
@@ -139,6 +140,16 @@ TEST(Classifier, NamesAClusterAndSavesTheName) {
   EXPECT_EQ(after.event, "clicked");
   const core::Model saved = LoadModel(PathParameter("named_model"));
   EXPECT_EQ(saved.clusters[static_cast<std::size_t>(before.cluster)].label, "clicked");
+}
+
+TEST(Classifier, SaysThatANameWasNotSaved) {
+  RunningClassifier node("named");
+  const std::string path = PathParameter("named_model");
+  std::filesystem::rename(path, path + ".away");
+  const NameCluster::Response response = node.Name(1, "clicked");
+  std::filesystem::rename(path + ".away", path);
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("not saved: " + path), std::string::npos) << response.message;
 }
 
 TEST(Classifier, RefusesANameForNoClusterAndAnEmptyName) {
