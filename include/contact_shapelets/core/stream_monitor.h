@@ -12,7 +12,7 @@
 
 namespace contact_shapelets::core {
 
-/// What StreamMonitor counted. At 1 kHz an int would be full after 25 days.
+/// What StreamMonitor counted.
 struct StreamSummary {
   std::int64_t samples = 0;            ///< finite samples in order
   std::int64_t not_finite = 0;         ///< dropped: NaN or infinite

@@ -59,7 +59,7 @@ class EpisodeNode {
   int published_episodes_ = 0;
   int idle_ticks_ = 0;  ///< of the wait timer since the last wrench
   core::Nanoseconds last_arrival_ = 0;
-  std::int64_t jumps_back_ = 0;
+  int jumps_back_ = 0;
   std::deque<core::StreamSummary> summaries_;       ///< of the last diagnostics
   std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
 
