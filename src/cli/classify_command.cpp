@@ -3,7 +3,6 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <std_msgs/String.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -47,7 +46,7 @@ void WriteResult(const core::Episode& episode, const core::Classification& resul
 /// leaves no file.
 void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
               const std::vector<core::Classification>& results) {
-  const std::string temporary = arguments.annotate + ".part" + std::to_string(getpid());
+  const std::string temporary = arguments.annotate + ".part";
   try {
     rosbag::Bag output(temporary, rosbag::bagmode::Write);
     output.setCompression(rosbag::compression::LZ4);

@@ -40,11 +40,15 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
   return command.run();
 }
 
-std::vector<std::string> SplitAtCommas(const std::string& text) {
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  return parts;
+std::vector<std::string> SplitAtCommas(const std::string& option, const std::string& text) {
+  std::vector<std::string> names;
+  // A comma at the end, too, has a name behind it that is empty.
+  std::istringstream stream(text + ',');
+  for (std::string name; std::getline(stream, name, ',');) {
+    if (name.empty()) throw UsageError(option + " must be names with commas between them, but is \"" + text + '"');
+    names.push_back(name);
+  }
+  return names;
 }
 
 std::function<void(const std::string&)> OneOf(const std::string& option, const std::vector<std::string>& words) {

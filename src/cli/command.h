@@ -28,8 +28,8 @@ struct Command {
 /// Parses what follows the command's name and runs it, or prints its help. Returns the exit status. \throws UsageError
 int RunCommand(const Command& command, const std::vector<std::string>& arguments);
 
-/// The parts of "A,B,C".
-std::vector<std::string> SplitAtCommas(const std::string& text);
+/// The names in "A,B,C", the value of `option`. \throws UsageError naming it where a name is empty.
+std::vector<std::string> SplitAtCommas(const std::string& option, const std::string& text);
 
 /// A check of an option's value. \throws UsageError naming `option` where the value is not one of `words`.
 std::function<void(const std::string&)> OneOf(const std::string& option, const std::vector<std::string>& words);

@@ -212,11 +212,11 @@ Command EvaluateCommand() {
   auto add = command.options.add_options();
   add("data", po::value(&arguments->data), "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
   add("datasets", po::value<std::string>()->notifier([arguments](const std::string& names) {
-    arguments->data_sets = SplitAtCommas(names);
+    arguments->data_sets = SplitAtCommas("--datasets", names);
   }),
       "Names with commas between them, or all (default)");
   add("methods", po::value<std::string>()->notifier([arguments](const std::string& names) {
-    arguments->methods = CheckedMethods(SplitAtCommas(names));
+    arguments->methods = CheckedMethods(SplitAtCommas("--methods", names));
   }),
       "Names with commas between them (default: every one)");
   add("bags", po::value(&arguments->bags.bags)->multitoken(),

@@ -47,8 +47,9 @@ std::string EpisodesText(const EpisodesFound& found) {
 
 std::string StampText(const WrenchTopic& wrench) {
   const core::StreamSummary& stream = wrench.stream;
-  if (stream.zero_stamps > 0 && stream.zero_stamps + stream.not_finite >= wrench.messages)
+  if (stream.zero_stamps > 0 && stream.zero_stamps + stream.not_finite >= wrench.messages) {
     return "none: header.stamp is zero";
+  }
   const std::string zeros = stream.zero_stamps > 0 ? ", " + std::to_string(stream.zero_stamps) + " of them zero" : "";
   const std::string side = stream.clock_offset < 0.0 ? " after" : " before";
   return "at least " + ShortTime(std::abs(stream.clock_offset)) + side + " the time of receipt" + zeros;

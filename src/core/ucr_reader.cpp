@@ -157,8 +157,9 @@ void CheckMembers(const UcrFile& file, const UcrFile& other, std::vector<std::st
     if (members.first > 1) continue;
     const auto found = others.find(label);
     const std::string what = "class " + ClassText(label) + " has one member";
-    if (found == others.end() || found->second.first < 2)
+    if (found == others.end() || found->second.first < 2) {
       Fail(file.path, members.second, what + ", expected 2 or more");
+    }
     if (notes != nullptr) notes->push_back(file.path + ": row " + std::to_string(members.second) + ": " + what);
   }
 }

@@ -112,8 +112,13 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
   try {
     if (!classifier_) throw std::runtime_error("there is no model");
     classifier_->NameCluster(request.cluster, request.label);
-    response.message = "cluster " + std::to_string(request.cluster) + " is " + request.label + ", " + SaveNames();
-    response.success = 1U;
+    const std::string named = "cluster " + std::to_string(request.cluster) + " is " + request.label;
+    try {
+      response.message = named + ", " + SaveNames();
+      response.success = 1U;
+    } catch (const std::exception& error) {
+      throw std::runtime_error(named + " until this node ends, not saved: " + error.what());
+    }
   } catch (const std::exception& error) {
     response.message = OneLine(error.what());
     ROS_ERROR("%s", response.message.c_str());

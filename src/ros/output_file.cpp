@@ -22,6 +22,7 @@ void CheckOutput(const std::string& what, const std::string& path, const std::ve
   if (!filesystem::is_directory(folder_name, ignored)) refuse("there is no folder " + folder_name);
   if (filesystem::is_directory(path, ignored)) refuse("expected a file, but it is a folder");
   if (access(folder_name.c_str(), W_OK) != 0) refuse("the folder " + folder_name + " cannot be written to");
+  if (filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) refuse("it is there, and write-protected");
   for (const std::string& bag : bags) {
     if (filesystem::equivalent(path, bag, ignored)) refuse("it is one of the bags that are read; choose another name");
   }

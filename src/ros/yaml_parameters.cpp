@@ -1,5 +1,6 @@
 #include <yaml-cpp/yaml.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -11,10 +12,10 @@ namespace {
 
 /// A scalar of the type that rosparam would give it.
 XmlRpc::XmlRpcValue ScalarOf(const YAML::Node& node) {
-  const std::string text = node.Scalar();
+  const std::string& text = node.Scalar();
   if (node.Tag() == "!") return {text};  // quoted
   char* end = nullptr;
-  const long whole = std::strtol(text.c_str(), &end, 10);
+  const std::int64_t whole = std::strtoll(text.c_str(), &end, 10);
   const bool fits = whole >= std::numeric_limits<int>::min() && whole <= std::numeric_limits<int>::max();
   if (!text.empty() && *end == '\0' && fits) return {static_cast<int>(whole)};
   const double number = std::strtod(text.c_str(), &end);

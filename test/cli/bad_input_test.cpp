@@ -1,4 +1,6 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <thread>
@@ -126,6 +128,16 @@ TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
   ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1, {"--model", "there is no folder"});
   ExpectRefusal({"classify", Sound(), "--model", model_, "--csv", folder_ / "none/a.csv"}, 1,
                 {"--csv", "there is no folder"});
+}
+
+TEST_F(BadInputTest, FilesWithoutPermissionAreNamed) {
+  if (geteuid() == 0) GTEST_SKIP() << "root has every permission";
+  const std::string bag = Sound();
+  const std::string table = WriteFile(folder_ / "table.csv", "as it was");
+  chmod(table.c_str(), 0400);
+  ExpectRefusal({"classify", bag, "--model", model_, "--csv", table}, 1, {"table.csv", "write-protected"});
+  chmod(bag.c_str(), 0200);
+  ExpectRefusal({"classify", bag, "--model", bag}, 1, {"sound.bag", "Permission denied"});
 }
 
 TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
