@@ -15,14 +15,15 @@ Eigen::VectorXf RandomWalk(int count, std::uint64_t seed) {
   core::Random random(seed);
   Eigen::VectorXf walk(count);
   double sum = 0.0;
-  for (float& value : walk) value = static_cast<float>(sum += random.Normal());
+  for (int index = 0; index < count; ++index) walk[index] = static_cast<float>(sum += random.Normal());
   return walk;
 }
 
 std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed) {
   const char* folder = std::getenv("CONTACT_SHAPELETS_BAGS");
-  if (folder == nullptr)
+  if (folder == nullptr) {
     throw std::runtime_error("CONTACT_SHAPELETS_BAGS does not name the folder of the recorded bags");
+  }
   static const std::vector<core::Episode> recorded =
       ReadEpisodes(std::string(folder) + "/switch_push_train.bag", BagReaderOptions{}).episodes;
   core::Random random(seed);
@@ -31,7 +32,8 @@ std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed) {
     core::Episode push = recorded[static_cast<std::size_t>(index) % recorded.size()];
     push.id = std::to_string(index);
     push.force = core::StretchedTo(push.force, kEpisodeLength);
-    for (float& value : push.force) value = std::abs(value + static_cast<float>(0.3 * random.Normal()));
+    push.force = push.force.unaryExpr(
+        [&random](float value) { return std::abs(value + static_cast<float>(0.3 * random.Normal())); });
     pushes.push_back(std::move(push));
   }
   return pushes;

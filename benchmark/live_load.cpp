@@ -7,11 +7,12 @@
 #include <geometry_msgs/WrenchStamped.h>
 #include <ros/ros.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <boost/program_options.hpp>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -111,8 +112,8 @@ class Received {
               const std::lock_guard<std::mutex> lock(mutex_);
               for (const auto& status : array->status) {
                 for (const auto& entry : status.values) {
-                  if (entry.key == "samples")
-                    samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
+                  if (entry.key != "samples") continue;
+                  samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
                 }
               }
             })) {}
@@ -141,17 +142,29 @@ int main(int argc, char** argv) {
   int robots = 1;
   double rate = 1000.0;
   double seconds = 120.0;
-  CLI::App app("Drives the nodes in the namespaces robot0, robot1, ... and measures them.");
-  app.add_option("--robots", robots, "Number of robots")->check(CLI::Range(1, 64));
-  app.add_option("--rate", rate, "[Hz] of each wrench")->check(CLI::Range(10.0, 2000.0));
-  app.add_option("--seconds", seconds, "Duration")->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
-
   ros::init(argc, argv, "live_load");
+  namespace po = boost::program_options;
+  po::options_description options("Drives the nodes in the namespaces robot0, robot1, ... and measures them");
+  options.add_options()("robots", po::value(&robots), "Number of robots, 1 to 64");
+  options.add_options()("rate", po::value(&rate), "[Hz] of each wrench, 10 to 2000");
+  options.add_options()("seconds", po::value(&seconds), "Duration, above 0");
+  try {
+    po::variables_map values;
+    po::store(po::parse_command_line(argc, argv, options), values);
+    po::notify(values);
+  } catch (const po::error& error) {
+    std::cerr << "live_load: " << error.what() << '\n' << options;
+    return 2;
+  }
+  if (robots < 1 || robots > 64 || !(rate >= 10.0 && rate <= 2000.0) || !(seconds > 0.0)) {
+    std::cerr << "live_load: a value is out of range\n" << options;
+    return 2;
+  }
   ros::AsyncSpinner spinner(1);
   spinner.start();
   const Received received;
   std::vector<std::unique_ptr<Robot>> all;
+  all.reserve(static_cast<std::size_t>(robots));
   for (int index = 0; index < robots; ++index) {
     all.push_back(std::make_unique<Robot>("robot" + std::to_string(index), rate));
   }

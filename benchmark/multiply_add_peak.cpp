@@ -7,7 +7,8 @@
 namespace contact_shapelets {
 namespace {
 
-#if defined(__x86_64__)
+// Clang does not take registers wider than the program's own in an inlined function.
+#if defined(__x86_64__) && !defined(__clang__)
 /// Inlined into functions for wider instruction sets than the rest of the program is built for.
 template <int Lanes>
 inline __attribute__((always_inline)) double Peak(int rounds) {
@@ -38,7 +39,7 @@ double BaselinePeak(int rounds) { return Peak<4>(rounds); }
 }  // namespace
 
 double MultiplyAdds(const char* instruction_set, int rounds) {
-#if defined(__x86_64__)
+#if defined(__x86_64__) && !defined(__clang__)
   if (std::strcmp(instruction_set, "avx512") == 0) return Avx512Peak(rounds);
   if (std::strcmp(instruction_set, "avx2") == 0) return Avx2Peak(rounds);
   return BaselinePeak(rounds);

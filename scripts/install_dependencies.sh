@@ -2,15 +2,18 @@
 # Installs what the package needs: ROS 1 from Debian 12's own packages, or the rest beside ROS Noetic on Ubuntu 20.04.
 set -euo pipefail
 
-common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libcli11-dev libgtest-dev libyaml-cpp-dev libbenchmark-dev
-  nlohmann-json3-dev python3-matplotlib)
+common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libboost-program-options-dev libgtest-dev libyaml-cpp-dev
+  libbenchmark-dev)
 
 if [ -d /opt/ros/noetic ]; then
   packages=("${common[@]}" ros-noetic-roscpp ros-noetic-rosbag ros-noetic-rosbag-storage ros-noetic-rostest
-    ros-noetic-roslaunch ros-noetic-rostopic ros-noetic-rosservice ros-noetic-actionlib ros-noetic-actionlib-msgs
+    ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-rostopic ros-noetic-rosservice ros-noetic-actionlib ros-noetic-actionlib-msgs
     ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater ros-noetic-geometry-msgs ros-noetic-std-msgs
     ros-noetic-std-srvs ros-noetic-roslib ros-noetic-topic-tools ros-noetic-message-generation
     ros-noetic-message-runtime)
+elif grep -q '^VERSION_CODENAME=focal' /etc/os-release; then
+  echo "/opt/ros/noetic: expected ROS Noetic, which Ubuntu 20.04 needs, but found none; install ros-noetic-ros-base first" >&2
+  exit 1
 else
   packages=("${common[@]}" catkin ros-message-generation ros-message-runtime libroscpp-dev librosbag-dev
     librosbag-storage-dev libroslib-dev librosconsole-dev librostest-dev libtopic-tools-dev libactionlib-dev

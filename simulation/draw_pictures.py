@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Draws docs/simulated_cell.png and docs/push_curves.png.
 
-usage: draw_pictures.py FOLDER_OF_PROGRAMS DOCS, after cmake --build BUILD --target push_curves render_cell
+usage: draw_pictures.py FOLDER_OF_PROGRAMS DOCS, after cmake --build BUILD --target push_curves render_cell;
+needs python3-matplotlib
 """
 
 import csv

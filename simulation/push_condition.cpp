@@ -28,9 +28,9 @@ EstimateErrors SampleErrors(core::Random* random) {
 }  // namespace
 
 const std::vector<Outcome>& AllOutcomes() {
-  static const std::vector<Outcome> kAll{Outcome::kSwitched,   Outcome::kAlreadyOn, Outcome::kBroken,
-                                         Outcome::kSlippedOff, Outcome::kCollision, Outcome::kMissing};
-  return kAll;
+  static const std::vector<Outcome> all{Outcome::kSwitched,   Outcome::kAlreadyOn, Outcome::kBroken,
+                                        Outcome::kSlippedOff, Outcome::kCollision, Outcome::kMissing};
+  return all;
 }
 
 std::string NameOf(Outcome outcome) {

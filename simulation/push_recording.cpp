@@ -1,6 +1,7 @@
 #include "push_recording.h"
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace contact_shapelets::simulation {
@@ -12,7 +13,7 @@ PushRecording RecordPush(const PushCondition& condition, double duration) {
   recording.states.push_back(cell.state());
   cell.BeginPush();
   const auto cycles = std::lround(duration / SimulatedCell::kPeriod);
-  for (long cycle = 0; cycle < cycles; ++cycle) recording.states.push_back(cell.Step());
+  for (std::int64_t cycle = 0; cycle < cycles; ++cycle) recording.states.push_back(cell.Step());
   const auto outcome = cell.ObservedOutcome();
   if (!outcome) throw std::runtime_error("a push takes longer than " + std::to_string(duration) + " s");
   recording.outcome = *outcome;

@@ -86,22 +86,25 @@ void Render(CellModel* cell, const std::string& camera, int width, int height, c
   if (!file) throw std::runtime_error("cannot write " + path);
 }
 
+void RenderPush(const std::string& camera, const std::string& path) {
+  const OffscreenContext context;
+  SimulatedCell cell{PushCondition{}};
+  cell.BeginPush();
+  // Half way up to dead centre.
+  while (cell.state().lever_angle < -0.6 * CellModel::kStop && cell.state().time < 10.0) cell.Step();
+  Render(&cell.model(), camera, 1000, 750, path);
+}
+
 }  // namespace
 }  // namespace contact_shapelets::simulation
 
 int main(int argc, char** argv) {
-  using namespace contact_shapelets::simulation;
   if (argc != 3) {
     std::cerr << "usage: render_cell {cell|switch} OUT.ppm\n";
     return 2;
   }
   try {
-    const OffscreenContext context;
-    SimulatedCell cell{PushCondition{}};
-    cell.BeginPush();
-    // Half way up to dead centre.
-    while (cell.state().lever_angle < -0.6 * CellModel::kStop && cell.state().time < 10.0) cell.Step();
-    Render(&cell.model(), argv[1], 1000, 750, argv[2]);
+    contact_shapelets::simulation::RenderPush(argv[1], argv[2]);
   } catch (const std::exception& error) {
     std::cerr << "render_cell: " << error.what() << '\n';
     return 1;

@@ -61,7 +61,7 @@ void SimulatedCell::StepPhysics() {
   MotionReference reference = reference_;
   // The reference is the one at the cycle's end.
   reference.position -= kPeriod * reference_.velocity;
-  for (long count = 0; count < steps; ++count) {
+  for (std::int64_t count = 0; count < steps; ++count) {
     mj_step1(model_.model(), model_.data());
     Eigen::Map<JointVector>(model_.data()->ctrl) = controller_.Torques(model_, reference);
     mj_step2(model_.model(), model_.data());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 
 #include "cell_model.h"
@@ -63,7 +64,7 @@ class SimulatedCell {
   MotionReference reference_;
   Eigen::Vector3d tare_ = Eigen::Vector3d::Zero();
   double felt_ = 0.0;  ///< [N] tared magnitude of the estimate
-  long cycle_ = 0;
+  std::int64_t cycle_ = 0;
   bool begun_ = false;
   bool finished_ = false;
   bool started_moving_ = false;

@@ -20,7 +20,7 @@ constexpr double kGreatestLag = 0.2;   // [s] that is caught up with; more is le
 
 SimulatedCellOptions CheckedOptions(const ros::NodeHandle& node_handle) {
   ParameterReader reader(node_handle);
-  const SimulatedCellOptions options = ReadSimulatedCellOptions(&reader);
+  SimulatedCellOptions options = ReadSimulatedCellOptions(&reader);
   for (const std::string& name : reader.Unread()) reader.AddFaults(name + " is not a parameter of this node\n");
   if (!reader.Faults().empty()) throw std::invalid_argument(reader.Faults());
   return options;
@@ -122,7 +122,7 @@ void SimulatedCellNode::Cycle() {
   // Half a cycle of tolerance, so that rounding does not skip one.
   if ((state.time + 0.5 * SimulatedCell::kPeriod) * options_.rate >= static_cast<double>(published_)) {
     wrench_publisher_.publish(WrenchMessage(state, StampOf(state.time)));
-    published_ = static_cast<long>(std::floor((state.time + 0.5 * SimulatedCell::kPeriod) * options_.rate)) + 1;
+    published_ = static_cast<std::int64_t>(std::floor((state.time + 0.5 * SimulatedCell::kPeriod) * options_.rate)) + 1;
   }
   AdvanceStage();
 }
@@ -159,8 +159,9 @@ void SimulatedCellNode::BeginPush(Outcome outcome) {
 
 Outcome SimulatedCellNode::NextOutcome() {
   const auto& outcomes = AllOutcomes();
-  if (options_.script.empty())
+  if (options_.script.empty()) {
     return outcomes[static_cast<std::size_t>(random_.Index(static_cast<int>(outcomes.size())))];
+  }
   return OutcomeOfName(options_.script[script_place_++ % options_.script.size()]);
 }
 

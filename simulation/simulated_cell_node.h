@@ -3,6 +3,7 @@
 #include <contact_shapelets/PushSwitch.h>
 #include <ros/ros.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -64,7 +65,7 @@ class SimulatedCellNode {
   Stage stage_ = Stage::kRest;
   double stage_end_ = 1.0;  ///< [s] of the cell's time
   double next_push_ = 1.0;  ///< [s] of the cell's time
-  long published_ = 0;
+  std::int64_t published_ = 0;
   std::size_t script_place_ = 0;
   ros::Time origin_;  ///< stamp of the cell's time 0
   ros::WallTime wall_origin_;

@@ -5,9 +5,11 @@
 #include <std_msgs/Bool.h>
 #include <std_msgs/String.h>
 
-#include <CLI/CLI.hpp>
+#include <boost/program_options.hpp>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <stdexcept>
 
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/wrench_stream.h"
@@ -37,6 +39,17 @@ struct Arguments {
   std::string out = ".";
 
   double Duration() const { return samples * core::SegmentationOptions{}.sample_period; }
+
+  /// \throws std::invalid_argument naming one that is out of range.
+  void Check() const {
+    for (const int count : {train, test, raw, novel, threads}) {
+      if (count < 0 || count > 100000)
+        throw std::invalid_argument("a number of episodes or threads is not in 0 to 100000");
+    }
+    if (samples < 400 || samples > 10000) throw std::invalid_argument("--samples must be from 400 to 10000");
+    if (!(raw_rate >= 30.0 && raw_rate <= 1000.0)) throw std::invalid_argument("--raw-rate must be from 30 to 1000");
+    if (!std::filesystem::is_directory(out)) throw std::invalid_argument("--out: there is no folder " + out);
+  }
 };
 
 core::Nanoseconds FromSeconds(double seconds) { return static_cast<core::Nanoseconds>(std::llround(seconds * 1e9)); }
@@ -120,7 +133,7 @@ class RawWriter {
 
   void Run(SimulatedCell* cell, double duration) {
     const auto cycles = std::lround(duration / SimulatedCell::kPeriod);
-    for (long cycle = 0; cycle < cycles; ++cycle) {
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
       now_ += FromSeconds(SimulatedCell::kPeriod);
       const CellState& state = cell->Step();
       if (1e-9 * static_cast<double>(now_ - kEpoch) * arguments_.raw_rate < static_cast<double>(written_)) continue;
@@ -142,7 +155,7 @@ class RawWriter {
   Arguments arguments_;
   rosbag::Bag bag_;
   core::Nanoseconds now_ = kEpoch;
-  long written_ = 0;
+  std::int64_t written_ = 0;
 };
 
 void WriteAll(const Arguments& arguments) {
@@ -157,26 +170,34 @@ void WriteAll(const Arguments& arguments) {
 }  // namespace contact_shapelets::simulation
 
 int main(int argc, char** argv) {
+  namespace po = boost::program_options;
   contact_shapelets::simulation::Arguments arguments;
-  CLI::App app("Makes bags of switch pushes in the simulated cell.");
-  app.add_option("--seed", arguments.seed, "Equal seeds give equal files")->capture_default_str();
-  app.add_option("--train", arguments.train, "Episodes of the training bag")->capture_default_str();
-  app.add_option("--test", arguments.test, "Episodes of the test bag")->capture_default_str();
-  app.add_option("--raw", arguments.raw, "Pushes of the raw bag")->capture_default_str();
-  app.add_option("--novel", arguments.novel, "Episodes of a bag of outcomes that the others do not have")
-      ->capture_default_str();
-  app.add_option("--samples", arguments.samples, "Samples of an episode")
-      ->check(CLI::Range(400, 10000))
-      ->capture_default_str();
-  app.add_option("--raw-rate", arguments.raw_rate, "[Hz] of the raw bag's wrench")
-      ->check(CLI::Range(30.0, 1000.0))
-      ->capture_default_str();
-  app.add_option("--threads", arguments.threads, "Threads; 0: as many as the machine runs")->capture_default_str();
-  app.add_option("--out", arguments.out, "The folder to write to")->check(CLI::ExistingDirectory);
-  for (const char* count : {"--train", "--test", "--raw", "--novel", "--threads"}) {
-    app.get_option(count)->check(CLI::Range(0, 100000));
+  const auto value = [](auto* target) { return po::value(target)->default_value(*target); };
+  po::options_description options("Makes bags of switch pushes in the simulated cell");
+  auto add = options.add_options();
+  add("seed", value(&arguments.seed), "Equal seeds give equal files");
+  add("train", value(&arguments.train), "Episodes of the training bag");
+  add("test", value(&arguments.test), "Episodes of the test bag");
+  add("raw", value(&arguments.raw), "Pushes of the raw bag");
+  add("novel", value(&arguments.novel), "Episodes of a bag of outcomes that the others do not have");
+  add("samples", value(&arguments.samples), "Samples of an episode, 400 to 10000");
+  add("raw-rate", value(&arguments.raw_rate), "[Hz] of the raw bag's wrench, 30 to 1000");
+  add("threads", value(&arguments.threads), "Threads; 0: as many as the machine runs");
+  add("out", value(&arguments.out), "The folder to write to");
+  add("help,h", "Prints this");
+  try {
+    po::variables_map values;
+    po::store(po::parse_command_line(argc, argv, options), values);
+    if (values.count("help") > 0) {
+      std::cout << options;
+      return 0;
+    }
+    po::notify(values);
+    arguments.Check();
+  } catch (const std::exception& error) {
+    std::cerr << "switch_push_dataset: " << error.what() << " (--help says more)\n";
+    return 2;
   }
-  CLI11_PARSE(app, argc, argv);
   try {
     contact_shapelets::simulation::WriteAll(arguments);
   } catch (const std::exception& error) {

@@ -15,6 +15,7 @@
 #include "cli/text.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/topics.h"
 
 namespace contact_shapelets::cli {
@@ -108,15 +109,23 @@ void Classify(const Arguments& arguments) {
 
 }  // namespace
 
-void AddClassifyCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("classify", "Diagnoses the episodes of bags by a model");
+Command ClassifyCommand() {
+  namespace po = boost::program_options;
+  Command command;
+  command.name = "classify";
+  command.description = "Diagnoses the episodes of bags by a model";
+  command.usage = "BAG... --model MODEL.bag";
   const auto arguments = std::make_shared<Arguments>();
-  AddBagArguments(command, &arguments->bags);
-  command->add_option("--model", arguments->model, "The model file")->required();
-  command->add_option("--csv", arguments->csv, "Writes one line per episode with all distances");
-  command->add_option("--annotate", arguments->annotate,
-                      "Writes a copy of the bags with features, diagnosis and event of each episode");
-  command->callback([arguments] { Classify(*arguments); });
+  AddBagArguments(&command, &arguments->bags);
+  command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file");
+  command.options.add_options()("csv", po::value(&arguments->csv), "Writes one line per episode with all distances");
+  command.options.add_options()("annotate", po::value(&arguments->annotate),
+                                "Writes a copy of the bags with features, diagnosis and event of each episode");
+  command.run = [arguments] {
+    Classify(*arguments);
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

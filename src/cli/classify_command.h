@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command.h"
 
 namespace contact_shapelets::cli {
 
-/// Adds `classify BAG... --model M.bag`: diagnoses the episodes of bags.
-void AddClassifyCommand(CLI::App* app);
+/// `classify BAG... --model M.bag`: diagnoses the episodes of bags.
+Command ClassifyCommand();
 
 }  // namespace contact_shapelets::cli

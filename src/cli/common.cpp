@@ -4,24 +4,37 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <stdexcept>
 
 #include "cli/text.h"
+#include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/ros/parameters.h"
 
 namespace contact_shapelets::cli {
 
-void AddBagArguments(CLI::App* command, BagArguments* arguments) {
-  command->add_option("bags", arguments->bags, "Recorded bags: raw wrench with triggers, or Episode messages")
-      ->required();
-  command->add_option("--wrench-topic", arguments->wrench_topic, "The wrench, where it is not the only WrenchStamped");
-  command->add_option("--segmentation", arguments->segmentation, "What opens and closes an episode")
-      ->check(CLI::IsMember({"trigger", "contact", "action"}));
-  command->add_option("--config", arguments->configs, "YAML files with parameters, such as config/trainer.yaml");
+namespace po = boost::program_options;
+
+void AddBags(Command* command, std::vector<std::string>* bags) {
+  command->places.add_options()("bags", po::value(bags)->required());
+  command->positional.add("bags", -1);
+}
+
+void AddReaderOptions(Command* command, BagArguments* arguments) {
+  command->options.add_options()("wrench-topic", po::value(&arguments->wrench_topic),
+                                 "The wrench, where it is not the only WrenchStamped");
+  command->options.add_options()(
+      "segmentation",
+      po::value(&arguments->segmentation)->notifier(OneOf("--segmentation", {"trigger", "contact", "action"})),
+      "What opens and closes an episode: trigger, contact or action");
+  command->options.add_options()("config", po::value(&arguments->configs)->multitoken(),
+                                 "YAML files with parameters, such as config/trainer.yaml");
+}
+
+void AddBagArguments(Command* command, BagArguments* arguments) {
+  AddBags(command, &arguments->bags);
+  AddReaderOptions(command, arguments);
 }
 
 Options ReadOptions(const BagArguments& arguments) {
@@ -77,21 +90,6 @@ std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const 
   return episodes;
 }
 
-void CheckOutput(const std::string& option, const std::string& path, const std::vector<std::string>& bags) {
-  namespace filesystem = std::filesystem;
-  std::error_code ignored;
-  const filesystem::path folder = filesystem::path(path).parent_path();
-  const std::string folder_name = folder.empty() ? "." : folder.string();
-  const auto refuse = [&](const std::string& why) { throw std::runtime_error(option + " " + path + ": " + why); };
-  if (path.empty()) refuse("expected the path of a file, but it is empty");
-  if (!filesystem::is_directory(folder_name, ignored)) refuse("there is no folder " + folder_name);
-  if (filesystem::is_directory(path, ignored)) refuse("expected a file, but it is a folder");
-  if (access(folder_name.c_str(), W_OK) != 0) refuse("the folder " + folder_name + " cannot be written to");
-  for (const std::string& bag : bags) {
-    if (filesystem::equivalent(path, bag, ignored)) refuse("it is one of the bags that are read; choose another name");
-  }
-}
-
 ProgressLine::ProgressLine(std::string what)
     : what_(std::move(what)),
       start_(std::chrono::steady_clock::now()),
@@ -119,24 +117,8 @@ void ProgressLine::Show(double done) {
   std::cerr << text << std::flush;
 }
 
-std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
-                                                  const std::vector<int>& labels) {
-  std::map<std::string, int> classes;
-  std::vector<int> used;
-  std::vector<int> given;
-  for (std::size_t index = 0; index < episodes.size(); ++index) {
-    if (episodes[index].outcome.empty()) continue;
-    used.push_back(labels[index]);
-    given.push_back(classes.emplace(episodes[index].outcome, static_cast<int>(classes.size())).first->second);
-  }
-  if (used.size() < 2) return std::nullopt;
-  const auto size = static_cast<Eigen::Index>(used.size());
-  return OutcomeScores{used.size(), core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
-                                                            Eigen::Map<const Eigen::VectorXi>(given.data(), size))};
-}
-
-void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels) {
-  const std::optional<OutcomeScores> result = ScoreAgainstOutcomes(episodes, labels);
+void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels) {
+  const auto result = core::CompareWithOutcomes(labels, episodes);
   if (!result) return;
   std::printf("Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
               result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <chrono>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
 #include "contact_shapelets/core/episode.h"
-#include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/core/trainer.h"
 #include "contact_shapelets/ros/episode_bag_reader.h"
 
@@ -21,8 +19,14 @@ struct BagArguments {
   std::vector<std::string> configs;
 };
 
-/// Adds the arguments to a command.
-void AddBagArguments(CLI::App* command, BagArguments* arguments);
+/// Adds the bags, as many as are given, to the places of a command.
+void AddBags(Command* command, std::vector<std::string>* bags);
+
+/// Adds the bags and the options on how to cut them to a command. `arguments` has to outlive it.
+void AddBagArguments(Command* command, BagArguments* arguments);
+
+/// Adds those options alone.
+void AddReaderOptions(Command* command, BagArguments* arguments);
 
 /// Options of the reader and the trainer out of the arguments and their parameter files.
 struct Options {
@@ -36,11 +40,6 @@ Options ReadOptions(const BagArguments& arguments);
 /// Reads the episodes of all bags, with progress on stderr; says on stdout what is wrong with a bag's wrench.
 /// \throws std::runtime_error in one line that names the bag, see ReadEpisodes().
 std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options);
-
-/// Checks that a file can be written at `path`, before long work that ends in it.
-/// \throws std::runtime_error naming `option` and the path: its folder is missing or not writable, or it is
-/// one of `bags`.
-void CheckOutput(const std::string& option, const std::string& path, const std::vector<std::string>& bags);
 
 /// One line on stderr that is overwritten: what is going on, how far it is, the time to go.
 class ProgressLine {
@@ -62,18 +61,8 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-/// Labels compared with the outcomes of those episodes that have one.
-struct OutcomeScores {
-  std::size_t episodes = 0;  ///< with an outcome
-  core::PartitionScores scores;
-};
-
-/// How `labels`, one per episode, agree with the outcomes; nothing where fewer than two episodes have one.
-std::optional<OutcomeScores> ScoreAgainstOutcomes(const std::vector<core::Episode>& episodes,
-                                                  const std::vector<int>& labels);
-
 /// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing
 /// where none has.
-void PrintScores(const std::vector<core::Episode>& episodes, const std::vector<int>& labels);
+void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels);
 
 }  // namespace contact_shapelets::cli

@@ -38,9 +38,11 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
   return results;
 }
 
-std::vector<int> NearestClusters(const std::vector<core::Classification>& results) {
-  std::vector<int> clusters;
-  for (const core::Classification& result : results) clusters.push_back(result.diagnosis.nearest_cluster);
+Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results) {
+  Eigen::VectorXi clusters(results.size());
+  for (std::size_t index = 0; index < results.size(); ++index) {
+    clusters[static_cast<Eigen::Index>(index)] = results[index].diagnosis.nearest_cluster;
+  }
   return clusters;
 }
 
@@ -57,7 +59,7 @@ void WriteCsv(const std::string& path, const std::vector<core::Episode>& episode
     file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
          << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
-    for (const float distance : results[index].features.distances) file << ',' << distance;
+    for (Eigen::Index k = 0; k < shapelets; ++k) file << ',' << results[index].features.distances[k];
     file << '\n';
   }
   file.close();

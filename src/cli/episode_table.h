@@ -17,7 +17,7 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
                                               const std::vector<core::Episode>& episodes, int threads);
 
 /// The nearest cluster of each result, novel or not: the partition that is scored.
-std::vector<int> NearestClusters(const std::vector<core::Classification>& results);
+Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results);
 
 /// Writes one line per episode: episode_id, start [s], duration [s], samples, outcome, cluster, event,
 /// confidence, novelty, then the distance to every shapelet, d0 to dK-1. Texts with commas, quotes or line

@@ -13,9 +13,11 @@
 
 #include "cli/common.h"
 #include "cli/evaluation_report.h"
+#include "cli/text.h"
 #include "contact_shapelets/core/evaluation.h"
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/ucr_reader.h"
+#include "contact_shapelets/ros/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -47,12 +49,6 @@ class Faults {
   bool any_ = false;
 };
 
-std::string Joined(const std::vector<std::string>& paths) {
-  std::string joined;
-  for (const std::string& path : paths) joined += (joined.empty() ? "" : ", ") + path;
-  return joined;
-}
-
 /// The episodes that have an outcome; `numbers` numbers the outcomes.
 core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
                                       std::map<std::string, int>* numbers) {
@@ -63,7 +59,8 @@ core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, con
     labelled.series.push_back(episode.force);
     classes.push_back(numbers->emplace(episode.outcome, static_cast<int>(numbers->size())).first->second);
   }
-  if (classes.empty()) throw std::runtime_error(Joined(paths) + ": expected episodes with an outcome, found none");
+  if (classes.empty())
+    throw std::runtime_error(Joined(paths, ", ") + ": expected episodes with an outcome, found none");
   labelled.classes = Eigen::Map<Eigen::VectorXi>(classes.data(), static_cast<Eigen::Index>(classes.size()));
   return labelled;
 }
@@ -84,7 +81,7 @@ core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions&
   data_set.class_count = static_cast<int>(numbers.size());
   const auto fewest = static_cast<int>(std::min(data_set.train.series.size(), data_set.test.series.size()));
   if (data_set.class_count < 2 || fewest < data_set.class_count) {
-    throw std::runtime_error(Joined(paths) +
+    throw std::runtime_error(Joined(paths, ", ") +
                              ": expected 2 or more outcomes and an episode for each in both splits, found " +
                              std::to_string(data_set.class_count) + " outcomes and " + std::to_string(fewest) +
                              " episodes in the smaller split");
@@ -171,20 +168,23 @@ std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, con
   return results;
 }
 
-/// What is wrong with the name of a method; empty where nothing is.
-std::string MethodName(const std::string& name) {
-  try {
-    const core::TrainerOptions defaults;
-    core::MakeClusterer(name, defaults);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+/// `names` as they are. \throws UsageError for one that no method has.
+std::vector<std::string> CheckedMethods(const std::vector<std::string>& names) {
+  const core::TrainerOptions defaults;
+  for (const std::string& name : names) {
+    try {
+      core::MakeClusterer(name, defaults);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(std::string("--methods: ") + error.what());
+    }
   }
-  return "";
+  return names;
 }
 
-void RunEvaluation(const Arguments& arguments) {
+/// The exit status: 1 where results are missing for faults that were said.
+int RunEvaluation(const Arguments& arguments) {
   if (arguments.data.empty() && arguments.bags.bags.empty()) {
-    throw CLI::ValidationError("evaluate", "needs --data or --bags");
+    throw UsageError("evaluate: expected --data or --bags, found neither");
   }
   const Options options = ReadOptions(arguments.bags);
   if (!arguments.json.empty()) CheckOutput("--json", arguments.json, arguments.bags.bags);
@@ -197,38 +197,41 @@ void RunEvaluation(const Arguments& arguments) {
   for (const core::DataSet& data_set : data_sets) names.push_back(data_set.name);
   if (!names.empty()) WriteMarkdown(results, names, arguments.methods, &std::cout);
   if (!arguments.json.empty()) WriteJson(results, arguments.json);
-  if (faults.any()) throw CLI::RuntimeError(1);
+  return faults.any() ? 1 : 0;
 }
 
 }  // namespace
 
-void AddEvaluateCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("evaluate", "Compares methods on data sets with known classes");
+Command EvaluateCommand() {
+  namespace po = boost::program_options;
+  Command command;
+  command.name = "evaluate";
+  command.description = "Compares methods on data sets with known classes";
+  command.usage = "--data DIR --datasets A,B --methods M,N --seeds 5";
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("--data", arguments->data,
-                      "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
-  command->add_option("--datasets", arguments->data_sets, "Names with commas between them, or all (default)")
-      ->delimiter(',');
-  command->add_option("--methods", arguments->methods, "Names with commas between them (default: every one)")
-      ->delimiter(',')
-      ->check(MethodName);
-  command->add_option("--bags", arguments->bags.bags,
-                      "Recorded bags as one more data set, with their outcomes as classes");
-  command->add_option("--test-bags", arguments->test_bags,
-                      "Bags to test on (default: half of each outcome's episodes of --bags)");
-  command->add_option("--bags-name", arguments->bags_name, "The bags' name in the table (default: of the first file)");
-  command->add_option("--wrench-topic", arguments->bags.wrench_topic,
-                      "The wrench in the bags, where there are several");
-  command->add_option("--segmentation", arguments->bags.segmentation, "What opens and closes an episode in the bags")
-      ->check(CLI::IsMember({"trigger", "contact", "action"}));
-  command->add_option("--config", arguments->bags.configs,
-                      "YAML files with parameters of nn_stne and of the bags' episodes");
-  command->add_option("--seeds", arguments->seeds, "Runs per data set and method, with the seeds 0, 1, ... (default 5)")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--jobs", arguments->jobs, "Runs at the same time (default: one per core); results stay the same")
-      ->check(CLI::Range(0, 1024));
-  command->add_option("--json", arguments->json, "Also writes every run's scores into this file");
-  command->callback([arguments] { RunEvaluation(*arguments); });
+  auto add = command.options.add_options();
+  add("data", po::value(&arguments->data), "A folder of the UCR archive: NAME/NAME_TRAIN.tsv, NAME/NAME_TEST.tsv");
+  add("datasets", po::value<std::string>()->notifier([arguments](const std::string& names) {
+    arguments->data_sets = SplitAtCommas("--datasets", names);
+  }),
+      "Names with commas between them, or all (default)");
+  add("methods", po::value<std::string>()->notifier([arguments](const std::string& names) {
+    arguments->methods = CheckedMethods(SplitAtCommas("--methods", names));
+  }),
+      "Names with commas between them (default: every one)");
+  add("bags", po::value(&arguments->bags.bags)->multitoken(),
+      "Recorded bags as one more data set, with their outcomes as classes");
+  add("test-bags", po::value(&arguments->test_bags)->multitoken(),
+      "Bags to test on (default: half of each outcome's episodes of --bags)");
+  add("bags-name", po::value(&arguments->bags_name), "The bags' name in the table (default: of the first file)");
+  AddReaderOptions(&command, &arguments->bags);
+  add("seeds", po::value(&arguments->seeds)->notifier(InRange("--seeds", 1, 10000)),
+      "Runs per data set and method, with the seeds 0, 1, ... (default 5)");
+  add("jobs", po::value(&arguments->jobs)->notifier(InRange("--jobs", 0, 1024)),
+      "Runs at the same time (default: one per core); results stay the same");
+  add("json", po::value(&arguments->json), "Also writes every run's scores into this file");
+  command.run = [arguments] { return RunEvaluation(*arguments); };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command.h"
 
 namespace contact_shapelets::cli {
 
-/// Adds `evaluate --data DIR --datasets A,B --methods M,N --seeds 5`: compares methods on data sets with known classes.
-void AddEvaluateCommand(CLI::App* app);
+/// `evaluate --data DIR --datasets A,B --methods M,N --seeds 5`: compares methods on data sets with known classes.
+Command EvaluateCommand();
 
 }  // namespace contact_shapelets::cli

@@ -47,8 +47,9 @@ std::string EpisodesText(const EpisodesFound& found) {
 
 std::string StampText(const WrenchTopic& wrench) {
   const core::StreamSummary& stream = wrench.stream;
-  if (stream.zero_stamps > 0 && stream.zero_stamps + stream.not_finite >= wrench.messages)
+  if (stream.zero_stamps > 0 && stream.zero_stamps + stream.not_finite >= wrench.messages) {
     return "none: header.stamp is zero";
+  }
   const std::string zeros = stream.zero_stamps > 0 ? ", " + std::to_string(stream.zero_stamps) + " of them zero" : "";
   const std::string side = stream.clock_offset < 0.0 ? " after" : " before";
   return "at least " + ShortTime(std::abs(stream.clock_offset)) + side + " the time of receipt" + zeros;
@@ -165,13 +166,18 @@ void Inspect(const BagArguments& arguments) {
 
 }  // namespace
 
-void AddInspectCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("inspect", "Says what is in bags, what is wrong with it, and what to do");
+Command InspectCommand() {
+  Command command;
+  command.name = "inspect";
+  command.description = "Says what is in bags, models included, what is wrong with it, and what to do";
+  command.usage = "BAG...";
   const auto arguments = std::make_shared<BagArguments>();
-  command->add_option("bags", arguments->bags, "Bags of any kind, models included")->required();
-  command->add_option("--wrench-topic", arguments->wrench_topic, "Only this wrench (default: all of them)");
-  command->add_option("--config", arguments->configs, "YAML files with parameters of the segmentation");
-  command->callback([arguments] { Inspect(*arguments); });
+  AddBagArguments(&command, arguments.get());
+  command.run = [arguments] {
+    Inspect(*arguments);
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command.h"
 
 namespace contact_shapelets::cli {
 
-/// Adds `inspect BAG...`: says what is in bags, what is wrong with it, and what to do about it.
-void AddInspectCommand(CLI::App* app);
+/// `inspect BAG...`: says what is in bags, what is wrong with it, and what to do about it.
+Command InspectCommand();
 
 }  // namespace contact_shapelets::cli

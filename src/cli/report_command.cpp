@@ -14,6 +14,7 @@
 #include "cli/text.h"
 #include "contact_shapelets/core/series.h"
 #include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -69,13 +70,23 @@ void Report(const Arguments& arguments) {
 
 }  // namespace
 
-void AddReportCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("report", "Writes a page on what a model makes of bags");
+Command ReportCommand() {
+  namespace po = boost::program_options;
+  Command command;
+  command.name = "report";
+  command.description = "Writes a page on what a model makes of bags";
+  command.usage = "MODEL.bag BAG... --out DIR";
   const auto arguments = std::make_shared<Arguments>();
-  command->add_option("model", arguments->model, "The model file")->required();
-  AddBagArguments(command, &arguments->bags);
-  command->add_option("--out", arguments->folder, "The folder to write index.html and episodes.csv to")->required();
-  command->callback([arguments] { Report(*arguments); });
+  command.places.add_options()("model", po::value(&arguments->model)->required());
+  command.positional.add("model", 1);
+  AddBagArguments(&command, &arguments->bags);
+  command.options.add_options()("out", po::value(&arguments->folder)->required(),
+                                "The folder to write index.html and episodes.csv to");
+  command.run = [arguments] {
+    Report(*arguments);
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

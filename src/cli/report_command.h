@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command.h"
 
 namespace contact_shapelets::cli {
 
-/// Adds `report MODEL.bag BAG... --out DIR`: a page on what a model makes of bags, and a table beside it.
-void AddReportCommand(CLI::App* app);
+/// `report MODEL.bag BAG... --out DIR`: a page on what a model makes of bags, and a table beside it.
+Command ReportCommand();
 
 }  // namespace contact_shapelets::cli

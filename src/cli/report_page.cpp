@@ -8,6 +8,7 @@
 #include "cli/report_plots.h"
 #include "cli/svg_plot.h"
 #include "cli/text.h"
+#include "contact_shapelets/core/partition_metrics.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -25,16 +26,31 @@ constexpr char kStyle[] =
     "i,.mark{display:inline-block;width:.8em;height:.8em;"
     "margin-right:.4em}svg{max-width:100%;height:auto;font:11px sans-serif;display:block}svg text{fill:#333}"
     ".grid{stroke:#e4e4e4}.axis{stroke:#555}"
+    ".mark{margin-right:.6em}td:first-child{white-space:nowrap}"
     "h2{margin-top:1.8em;border-bottom:1px solid #bbb}summary{cursor:pointer}";
 
-/// One row of a table. Cells that begin with a digit or a sign are figures.
-std::string Row(const std::vector<std::string>& cells, const std::string& tag = "td") {
+/// One row of a table. Cells that hold nothing but digits and signs are figures.
+std::string Row(const std::vector<std::string>& cells) {
   std::string row = "<tr>";
   for (const std::string& cell : cells) {
     const bool figure = !cell.empty() && cell.find_first_not_of("0123456789.-+ ") == std::string::npos;
-    row += "<" + tag + (figure ? " class=\"n\">" : ">") + Escaped(cell) + "</" + tag + ">";
+    row += std::string("<td") + (figure ? " class=\"n\">" : ">") + Escaped(cell) + "</td>";
   }
   return row + "</tr>\n";
+}
+
+/// The title of a table's column, and whether it stands over figures.
+struct Column {
+  std::string title;
+  bool figures = false;
+};
+
+std::string Head(const std::vector<Column>& columns) {
+  std::string head = "<tr>";
+  for (const Column& column : columns) {
+    head += std::string("<th") + (column.figures ? " class=\"n\">" : ">") + Escaped(column.title) + "</th>";
+  }
+  return head + "</tr>\n";
 }
 
 std::string Paragraph(const std::string& text) { return "<p>" + text + "</p>\n"; }
@@ -58,7 +74,7 @@ std::string Summary(const ReportContents& contents) {
       Escaped(Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
               " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
               Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
-  const auto agreement = ScoreAgainstOutcomes(contents.episodes, NearestClusters(contents.results));
+  const auto agreement = core::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
   if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
   const core::PartitionScores& scores = agreement->scores;
   return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +
@@ -85,6 +101,19 @@ std::string ProvenanceTable(const ReportContents& contents) {
   return table + "</table>\n";
 }
 
+/// The colour of a cell: right where the event is the outcome, or "unknown" for one that no cluster is named after;
+/// none where the outcome or a name is missing.
+std::string Verdict(const core::Model& model, const std::string& outcome, const std::string& event) {
+  const auto is_named = [&model](const std::string& name) {
+    return std::any_of(model.clusters.begin(), model.clusters.end(),
+                       [&name](const core::Cluster& cluster) { return cluster.label == name; });
+  };
+  const std::string unknown = model.EventOf(-1);
+  if (outcome.empty() || (event != unknown && !is_named(event))) return "";
+  const bool right = event == outcome || (event == unknown && !is_named(outcome));
+  return right ? " right" : " wrong";
+}
+
 std::string ConfusionTable(const ReportContents& contents) {
   std::set<std::string> events;
   std::map<std::string, std::map<std::string, int>> counts;
@@ -92,17 +121,17 @@ std::string ConfusionTable(const ReportContents& contents) {
     const std::string& outcome = contents.episodes[index].outcome;
     const std::string& event = contents.results[index].diagnosis.event;
     events.insert(event);
-    ++counts[outcome.empty() ? "(not given)" : outcome][event];
+    ++counts[outcome][event];
   }
   std::string table = "<table>\n<tr><th>outcome given \\ event</th>";
   for (const std::string& event : events) table += "<th class=\"n\">" + Escaped(event) + "</th>";
   table += "</tr>\n";
   for (auto& [outcome, row] : counts) {
-    table += "<tr><th>" + Escaped(outcome) + "</th>";
+    table += "<tr><th>" + Escaped(outcome.empty() ? "(not given)" : outcome) + "</th>";
     for (const std::string& event : events) {
       const int count = row[event];
-      const char* const kind = count == 0 ? "n" : event == outcome ? "n right" : "n wrong";
-      table += std::string("<td class=\"") + kind + "\">" + std::to_string(count) + "</td>";
+      table += "<td class=\"n" + (count > 0 ? Verdict(contents.model, outcome, event) : "") + "\">" +
+               std::to_string(count) + "</td>";
     }
     table += "</tr>\n";
   }
@@ -110,9 +139,14 @@ std::string ConfusionTable(const ReportContents& contents) {
 }
 
 std::string ClusterTable(const ReportContents& contents) {
-  std::string table = "<table>\n" + Row({"", "event", "in training", "here", "of them novel", "median duration [s]",
-                                         "median peak [N]", "median confidence"},
-                                        "th");
+  std::string table = "<table>\n" + Head({{"cluster"},
+                                          {"event"},
+                                          {"in training", true},
+                                          {"here", true},
+                                          {"of them novel", true},
+                                          {"median duration [s]", true},
+                                          {"median peak [N]", true},
+                                          {"median confidence", true}});
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     const std::vector<std::size_t> members = MembersOf(contents, cluster);
     std::vector<double> durations;
@@ -137,11 +171,11 @@ std::string ClusterTable(const ReportContents& contents) {
 }
 
 std::string ShapeletTable(const ReportContents& contents, const std::vector<Eigen::Index>& shapelets) {
-  std::vector<std::string> head{"shapelet", "length [s]"};
+  std::vector<Column> head{{"shapelet", true}, {"length [s]", true}};
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
-    head.push_back("mean distance in " + contents.model.EventOf(cluster));
+    head.push_back({"mean distance in " + contents.model.EventOf(cluster), true});
   }
-  std::string table = "<table>\n" + Row(head, "th");
+  std::string table = "<table>\n" + Head(head);
   for (const Eigen::Index index : shapelets) {
     const core::Shapelet& shapelet = contents.model.shapelets[static_cast<std::size_t>(index)];
     std::vector<std::string> cells{
@@ -185,7 +219,7 @@ std::string NovelSection(const ReportContents& contents) {
   section += NoveltyPlot(contents);
   const std::vector<std::size_t> novel = NovelEpisodes(contents);
   if (novel.empty()) return section + Paragraph("No episode is novel.");
-  section += "<table>\n" + Row({"novel episode", "novelty", "nearest cluster", "outcome given"}, "th");
+  section += "<table>\n" + Head({{"novel episode"}, {"novelty", true}, {"nearest cluster"}, {"outcome given"}});
   for (const std::size_t index : novel) {
     const core::Diagnosis& diagnosis = contents.results[index].diagnosis;
     section += Row({contents.episodes[index].id, Number(diagnosis.novelty, 2),
@@ -200,7 +234,13 @@ std::string NovelSection(const ReportContents& contents) {
 
 std::string EpisodeTable(const ReportContents& contents) {
   std::string table = "<details><summary>All " + Count(contents.episodes.size(), "episode") + "</summary>\n<table>\n";
-  table += Row({"episode", "start (UTC)", "duration [s]", "outcome given", "event", "confidence", "novelty"}, "th");
+  table += Head({{"episode"},
+                 {"start (UTC)"},
+                 {"duration [s]", true},
+                 {"outcome given"},
+                 {"event"},
+                 {"confidence", true},
+                 {"novelty", true}});
   for (std::size_t index = 0; index < contents.episodes.size(); ++index) {
     const core::Episode& episode = contents.episodes[index];
     const core::Diagnosis& diagnosis = contents.results[index].diagnosis;

@@ -107,7 +107,7 @@ SvgPlot ForceAxes(const std::vector<std::vector<PlotPoint>>& curves) {
     for (const PlotPoint& point : curve) {
       time.greatest = std::max(time.greatest, point.x);
       force.greatest = std::max(force.greatest, 1.05 * point.y);
-      force.least = std::min(force.least, point.y);
+      force.least = std::min(force.least, 1.05 * point.y);
     }
   }
   return SvgPlot(time, force, kWidth, kHeight);

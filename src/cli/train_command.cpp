@@ -1,18 +1,16 @@
 #include "cli/train_command.h"
 
-#include <rosbag/bag.h>
-
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/common.h"
 #include "cli/text.h"
-#include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -23,18 +21,6 @@ struct Arguments {
   int clusters = 0;
   int seed = -1;
 };
-
-/// A recording that was named by mistake must not be lost to a model.
-void CheckNoRecording(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) return;
-  rosbag::Bag bag;
-  OpenBag(path, &bag);
-  if (BagTopics(bag).OfType("contact_shapelets/ShapeletModel").empty()) {
-    throw std::runtime_error("--model " + path + ": expected a new file or an older model, but found another bag; " +
-                             "choose another name");
-  }
-}
 
 core::TrainingResult TrainWithProgress(const std::vector<core::Episode>& episodes, const Arguments& arguments,
                                        const core::TrainerOptions& options) {
@@ -86,8 +72,7 @@ void Train(const Arguments& arguments) {
   Options options = ReadOptions(arguments.bags);
   if (arguments.clusters > 0) options.trainer.clusters = arguments.clusters;
   if (arguments.seed >= 0) options.trainer.seed = static_cast<std::uint64_t>(arguments.seed);
-  CheckOutput("--model", arguments.model, arguments.bags.bags);
-  CheckNoRecording(arguments.model);
+  CheckModelOutput("--model", arguments.model, arguments.bags.bags);
   const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
   const auto start = std::chrono::steady_clock::now();
   core::TrainingResult result = TrainWithProgress(episodes, arguments, options.trainer);
@@ -97,20 +82,30 @@ void Train(const Arguments& arguments) {
   PrintTraining(result, episodes, seconds);
   PrintClusters(result, episodes);
   std::printf("Model %s is in %s\n", result.model.id.c_str(), arguments.model.c_str());
-  PrintScores(episodes, std::vector<int>(result.labels.data(), result.labels.data() + result.labels.size()));
+  PrintScores(episodes, result.labels);
 }
 
 }  // namespace
 
-void AddTrainCommand(CLI::App* app) {
-  CLI::App* command = app->add_subcommand("train", "Learns shapelets and clusters from the episodes of bags");
+Command TrainCommand() {
+  namespace po = boost::program_options;
+  Command command;
+  command.name = "train";
+  command.description = "Learns shapelets and clusters from the episodes of bags";
+  command.usage = "BAG... --model OUT.bag";
   const auto arguments = std::make_shared<Arguments>();
-  AddBagArguments(command, &arguments->bags);
-  command->add_option("--model", arguments->model, "The model file to write")->required();
-  command->add_option("--clusters", arguments->clusters, "Number of clusters (default: of the config, 3)")
-      ->check(CLI::Range(2, 1000));
-  command->add_option("--seed", arguments->seed, "Equal seeds give equal models")->check(CLI::NonNegativeNumber);
-  command->callback([arguments] { Train(*arguments); });
+  AddBagArguments(&command, &arguments->bags);
+  command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file to write");
+  command.options.add_options()("clusters", po::value(&arguments->clusters)->notifier(InRange("--clusters", 2, 1000)),
+                                "Number of clusters (default: of the config, 3)");
+  command.options.add_options()(
+      "seed", po::value(&arguments->seed)->notifier(InRange("--seed", 0, std::numeric_limits<int>::max())),
+      "Equal seeds give equal models");
+  command.run = [arguments] {
+    Train(*arguments);
+    return 0;
+  };
+  return command;
 }
 
 }  // namespace contact_shapelets::cli

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "cli/command.h"
 
 namespace contact_shapelets::cli {
 
-/// Adds `train BAG... --model OUT.bag`: learns a model from the episodes of bags.
-void AddTrainCommand(CLI::App* app);
+/// `train BAG... --model OUT.bag`: learns a model from the episodes of bags.
+Command TrainCommand();
 
 }  // namespace contact_shapelets::cli

@@ -40,7 +40,7 @@ Classifier::Classifier(Model model)
     : model_(Checked(std::move(model))), extractor_(model_.shapelets, model_.flat_fraction) {}
 
 Classification Classifier::Classify(const Episode& episode) const {
-  if (!(episode.sample_period > 0.0)) throw std::invalid_argument("the episode's sample period is not above 0");
+  if (!IsSamplePeriod(episode.sample_period)) throw std::invalid_argument("its sample period is not in [0.0001, 1] s");
   const bool same_period = std::abs(episode.sample_period / model_.sample_period - 1.0) < 1e-6;
   if (!same_period && episode.force.size() < 2) throw std::invalid_argument("the episode has fewer than 2 samples");
   Classification result;

@@ -58,8 +58,8 @@ Eigen::MatrixXf Distances(const std::vector<Shapelet>& shapelets, double flat_fr
   return distances;
 }
 
-/// The trainer and classifier of this package. Features are the distances to the start shapelets, which only vote, and
-/// to the learned ones, side by side.
+/// The trainer and classifier of this package. Features are the distances to the learned shapelets and to the random
+/// ones, which only vote, side by side.
 class StneClusterer : public Clusterer {
  public:
   explicit StneClusterer(const TrainerOptions& options) : options_(options) {}
@@ -74,9 +74,8 @@ class StneClusterer : public Clusterer {
 
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
     const Model& model = result_.model;
-    Eigen::MatrixXf features(series.size(), result_.start_shapelets.size() + model.shapelets.size());
-    features << Distances(result_.start_shapelets, model.flat_fraction, series),
-        Distances(model.shapelets, model.flat_fraction, series);
+    Eigen::MatrixXf features(series.size(), model.shapelets.size() + result_.random_shapelets.count());
+    features << Distances(model.shapelets, model.flat_fraction, series), result_.random_shapelets.Distances(series, 1);
     return features;
   }
 
@@ -86,12 +85,12 @@ class StneClusterer : public Clusterer {
     for (std::size_t index = 0; index < model.clusters.size(); ++index) {
       centroids.row(static_cast<Eigen::Index>(index)) = model.clusters[index].centroid.transpose();
     }
-    return NearestCentroids(centroids, model.Features(features.rightCols(centroids.cols())));
+    return NearestCentroids(centroids, model.Features(features.leftCols(centroids.cols())));
   }
 
   Eigen::VectorXi ClusterAnew(const Eigen::Ref<const Eigen::MatrixXf>& features) const override {
-    const auto start = static_cast<Eigen::Index>(result_.start_shapelets.size());
-    return VotedLabels(result_, features.leftCols(start), features.rightCols(features.cols() - start), options_);
+    const auto learned = static_cast<Eigen::Index>(result_.model.shapelets.size());
+    return VotedLabels(result_, features.leftCols(learned), features.rightCols(features.cols() - learned), options_);
   }
 
  private:
@@ -112,7 +111,7 @@ class PaperClusterer : public FeatureClusterer {
     options.clusters = clusters;
     options.seed = seed;
     options.threads = 1;
-    options.vote_exponents.clear();
+    options.voters = 0;
     options.learner.objective = Objective::kPaper;
     options.learner.scales = {0.4};
     options.learner.flat_fraction = 0.0;

@@ -1,43 +1,77 @@
 #include "contact_shapelets/core/consensus.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
+#include "contact_shapelets/core/kmeans.h"
 #include "contact_shapelets/core/parallel.h"
+#include "contact_shapelets/core/random.h"
 
 namespace contact_shapelets::core {
+namespace {
 
-std::vector<View> ScaleViews(const Eigen::Ref<const Eigen::MatrixXf>& features,
-                             const Eigen::Ref<const Eigen::VectorXf>& scales, const std::vector<double>& exponents) {
-  if (features.cols() != scales.size()) throw std::invalid_argument("there must be one scale for each feature");
-  std::vector<View> views;
-  for (const double exponent : exponents) {
-    const Eigen::VectorXf weights = scales.array().pow(static_cast<float>(-exponent));
-    views.emplace_back(features * weights.asDiagonal());
+/// The views, each as often as it has voters.
+std::vector<const View*> Voters(const std::vector<View>& views) {
+  std::vector<const View*> voters;
+  for (const View& view : views) {
+    if (view.scales.size() != view.features.cols()) throw std::invalid_argument("a view needs a scale for each column");
+    if (view.features.rows() != views.front().features.rows()) {
+      throw std::invalid_argument("the views differ in their number of series");
+    }
+    voters.insert(voters.end(), static_cast<std::size_t>(std::max(0, view.voters)), &view);
   }
-  return views;
+  if (voters.empty()) throw std::invalid_argument("a consensus needs at least one voter");
+  return voters;
 }
 
-Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const KMeansOptions& options, int threads) {
-  if (views.empty()) throw std::invalid_argument("a consensus needs at least one view");
-  const Eigen::Index count = views.front().rows();
-  for (const View& view : views) {
-    if (view.rows() != count) throw std::invalid_argument("the views differ in their number of series");
+/// The part [N] that each series falls into for one voter.
+Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
+  Random random(seed);
+  const auto columns = static_cast<int>(view.features.cols());
+  const double exponent = random.Uniform();
+  const int parts = clusters + random.Index(clusters + 1);
+  std::vector<int> seen = random.Sample(columns, std::min(columns, std::max(2, columns / 2)));
+  std::sort(seen.begin(), seen.end());
+  Eigen::MatrixXf points(view.features.rows(), seen.size());
+  for (std::size_t index = 0; index < seen.size(); ++index) {
+    points.col(static_cast<Eigen::Index>(index)) =
+        view.features.col(seen[index]) * std::pow(view.scales[seen[index]], static_cast<float>(-exponent));
   }
-  std::vector<Eigen::VectorXi> votes(views.size());
-  ParallelFor(static_cast<int>(views.size()), threads, [&](int index) {
-    KMeansOptions voter = options;
-    voter.seed = options.seed * 31U + static_cast<std::uint64_t>(index);
-    votes[static_cast<std::size_t>(index)] = KMeans(views[static_cast<std::size_t>(index)], voter).labels;
-  });
-  if (votes.size() == 1) return votes.front();
+  KMeansOptions options;
+  options.clusters = std::min(parts, static_cast<int>(points.rows()));
+  options.restarts = 1;
+  options.seed = seed;
+  return KMeans(points, options).labels;
+}
 
-  Eigen::MatrixXf ballots = Eigen::MatrixXf::Zero(count, static_cast<Eigen::Index>(votes.size()) * options.clusters);
-  for (std::size_t voter = 0; voter < votes.size(); ++voter) {
-    for (Eigen::Index row = 0; row < count; ++row) {
-      ballots(row, static_cast<Eigen::Index>(voter) * options.clusters + votes[voter][row]) = 1.0F;
-    }
+/// The one-hot parts of all votes side by side, [N, parts].
+Eigen::MatrixXf Ballots(const std::vector<Eigen::VectorXi>& votes) {
+  Eigen::Index parts = 0;
+  for (const Eigen::VectorXi& vote : votes) parts += vote.maxCoeff() + 1;
+  Eigen::MatrixXf ballots = Eigen::MatrixXf::Zero(votes.front().size(), parts);
+  Eigen::Index first = 0;
+  for (const Eigen::VectorXi& vote : votes) {
+    for (Eigen::Index row = 0; row < vote.size(); ++row) ballots(row, first + vote[row]) = 1.0F;
+    first += vote.maxCoeff() + 1;
   }
-  return KMeans(ballots, options).labels;
+  return ballots;
+}
+
+}  // namespace
+
+Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads) {
+  const std::vector<const View*> voters = Voters(views);
+  std::vector<Eigen::VectorXi> votes(voters.size());
+  ParallelFor(static_cast<int>(voters.size()), threads, [&](int index) {
+    const auto voter = static_cast<std::size_t>(index);
+    votes[voter] = Vote(*voters[voter], options.clusters, options.seed * 1000003U + voter);
+  });
+  KMeansOptions deciding;
+  deciding.clusters = options.clusters;
+  deciding.restarts = options.restarts;
+  deciding.seed = options.seed;
+  return KMeans(Ballots(votes), deciding).labels;
 }
 
 }  // namespace contact_shapelets::core

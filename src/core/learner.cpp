@@ -91,7 +91,7 @@ std::vector<ShapeletBank> LearnBanks(const std::vector<Eigen::VectorXf>& series,
       stopped = on_step && !on_step(index, step, objective);
     }
     if (stopped) break;
-    banks.push_back({scale, start, learner.shapelets(), learner.objective()});
+    banks.push_back({scale, learner.shapelets(), learner.objective()});
   }
   return banks;
 }

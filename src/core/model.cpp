@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "contact_shapelets/core/episode.h"
+
 namespace contact_shapelets::core {
 namespace {
 
@@ -43,7 +45,7 @@ std::string Model::EventOf(int cluster) const {
 
 std::string Model::Faults() const {
   std::ostringstream faults;
-  if (!(sample_period > 0.0) || !std::isfinite(sample_period)) faults << "the sample period is not above 0\n";
+  if (!IsSamplePeriod(sample_period)) faults << "the sample period is not in [0.0001, 1] s\n";
   if (!(flat_fraction >= 0.0 && flat_fraction < 1.0)) faults << "the flat fraction is not in [0, 1)\n";
   if (!(log_offset > 0.0) || !std::isfinite(log_offset)) faults << "the log offset is not above 0\n";
   CheckShapelets(*this, faults);

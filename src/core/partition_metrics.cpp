@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 namespace contact_shapelets::core {
@@ -62,6 +63,26 @@ PartitionScores ComparePartitions(const Eigen::Ref<const Eigen::VectorXi>& label
   scores.normalised_mutual_information = NormalisedMutualInformation(table, count);
   scores.accuracy = AssignedItems(table, LeastCostAssignment(-table)) / count;
   return scores;
+}
+
+std::optional<OutcomeScores> CompareWithOutcomes(const Eigen::Ref<const Eigen::VectorXi>& labels,
+                                                 const std::vector<Episode>& episodes) {
+  if (static_cast<std::size_t>(labels.size()) != episodes.size()) {
+    throw std::invalid_argument("there must be one label for each episode");
+  }
+  std::map<std::string, int> numbers;
+  Eigen::VectorXi used(labels.size());
+  Eigen::VectorXi classes(labels.size());
+  Eigen::Index count = 0;
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    const std::string& outcome = episodes[index].outcome;
+    if (outcome.empty()) continue;
+    used[count] = labels[static_cast<Eigen::Index>(index)];
+    classes[count] = numbers.emplace(outcome, static_cast<int>(numbers.size())).first->second;
+    ++count;
+  }
+  if (count < 2) return std::nullopt;
+  return OutcomeScores{static_cast<std::size_t>(count), ComparePartitions(used.head(count), classes.head(count))};
 }
 
 std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& labels,

@@ -36,7 +36,7 @@ class Integrator {
   }
 
   Eigen::Vector3d Piece(double position) {
-    const Eigen::Vector3d area = 0.5 * (At(position_) + At(position)) * (position - position_);
+    Eigen::Vector3d area = 0.5 * (At(position_) + At(position)) * (position - position_);
     position_ = position;
     return area;
   }

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "contact_shapelets/core/episode.h"
+
 namespace contact_shapelets::core {
 
 std::string SegmentationOptions::Faults() const {
@@ -9,7 +11,7 @@ std::string SegmentationOptions::Faults() const {
   const auto require = [&faults](bool well, const char* name, const char* range, double value) {
     if (!well) faults << name << " must be " << range << ", but is " << value << '\n';
   };
-  require(sample_period > 0.0 && sample_period <= 1.0, "sample_period", "in (0, 1] s", sample_period);
+  require(IsSamplePeriod(sample_period), "sample_period", "in [0.0001, 1] s", sample_period);
   require(tare_duration > 0.0 && tare_duration <= 10.0, "tare_duration", "in (0, 10] s", tare_duration);
   require(min_duration >= 2.0 * sample_period, "min_duration", "at least 2 sample periods", min_duration);
   require(max_duration > min_duration && max_duration <= 600.0, "max_duration", "above min_duration, at most 600 s",

@@ -1,5 +1,6 @@
 #include <fftw3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
@@ -73,27 +74,40 @@ Eigen::MatrixXcd ShapeComparer::Spectra(const Eigen::Ref<const Eigen::MatrixXd>&
   return spectra;
 }
 
-ShapeDistance ShapeComparer::Compare(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
-                                     const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const {
-  ShapeDistance best;
-  if (x_norm <= 0.0 || y_norm <= 0.0) return best;
+double ShapeComparer::Correlate(const Eigen::Ref<const Eigen::RowVectorXcd>& x,
+                                const Eigen::Ref<const Eigen::RowVectorXcd>& y) const {
   Eigen::Map<Eigen::RowVectorXcd> spectrum(reinterpret_cast<std::complex<double>*>(plans_->spectrum),
                                            plans_->size / 2 + 1);
   spectrum = x.cwiseProduct(y.conjugate());
   fftw_execute(plans_->backward);
+  const int negative = plans_->length - 1;
+  const Eigen::Map<const Eigen::ArrayXd> values(plans_->values, plans_->size);
+  const double most = values.head(plans_->length).maxCoeff();
+  return negative > 0 ? std::max(most, values.tail(negative).maxCoeff()) : most;
+}
+
+double ShapeComparer::Distance(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
+                               const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const {
+  if (x_norm <= 0.0 || y_norm <= 0.0) return 1.0;
+  return 1.0 - Correlate(x, y) / (x_norm * y_norm * plans_->size);
+}
+
+ShapeDistance ShapeComparer::Compare(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
+                                     const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const {
+  ShapeDistance best;
+  if (x_norm <= 0.0 || y_norm <= 0.0) return best;
+  const double scale = x_norm * y_norm * plans_->size;
+  const double most = Correlate(x, y);
+  best.distance = 1.0 - most / scale;
   // The transforms' rounding must not choose between shifts that are equally good.
   constexpr double kRounding = 1e-12;
-  const double scale = 1.0 / (x_norm * y_norm * plans_->size);
-  double similarity = plans_->values[0] * scale;
-  for (int shift = 1; shift < plans_->length; ++shift) {
-    for (const int signed_shift : {shift, -shift}) {
-      const double value = plans_->values[signed_shift > 0 ? shift : plans_->size - shift] * scale;
-      if (value <= similarity + kRounding) continue;
-      similarity = value;
-      best.shift = signed_shift;
-    }
+  const double enough = most - kRounding * scale;
+  while (best.shift < plans_->length) {
+    if (plans_->values[best.shift] >= enough) return best;
+    if (best.shift > 0 && plans_->values[plans_->size - best.shift] >= enough) break;
+    ++best.shift;
   }
-  best.distance = 1.0 - similarity;
+  best.shift = -best.shift;
   return best;
 }
 

@@ -59,11 +59,6 @@ Eigen::VectorXf ScalesOf(const std::vector<Shapelet>& shapelets, const Model& mo
   return scales;
 }
 
-std::vector<Shapelet> StartShapeletsOf(std::vector<ShapeletBank> banks, int shortest) {
-  for (ShapeletBank& bank : banks) bank.shapelets = std::move(bank.start);
-  return CutShapelets(banks, shortest);
-}
-
 float NoveltyLimit(std::vector<float> distances, double quantile, double margin) {
   std::sort(distances.begin(), distances.end());
   const auto last = static_cast<double>(distances.size() - 1);
@@ -142,27 +137,31 @@ std::string TrainerOptions::Faults() const {
   require(kmeans_restarts >= 1, "kmeans_restarts", "at least 1", kmeans_restarts);
   require(novelty_quantile > 0.0 && novelty_quantile <= 1.0, "novelty_quantile", "in (0, 1]", novelty_quantile);
   require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
-  for (const double exponent : vote_exponents) {
-    require(exponent >= 0.0 && exponent <= 2.0, "vote_exponents", "in [0, 2]", exponent);
-  }
+  require(voters >= 0, "voters", "at least 0", voters);
+  require(random_shapelets >= 0, "random_shapelets", "at least 0", random_shapelets);
   require(threads >= 0, "threads", "at least 0", threads);
   return faults.str() + learner.Faults();
 }
 
-Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& start_distances,
-                            const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options) {
+Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& distances,
+                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options) {
   const Model& model = result.model;
-  KMeansOptions kmeans;
-  kmeans.clusters = options.clusters;
-  kmeans.restarts = options.kmeans_restarts;
-  kmeans.seed = options.seed;
-  if (options.vote_exponents.empty()) return KMeans(model.Features(distances), kmeans).labels;
-  std::vector<View> views =
-      ScaleViews(model.Features(start_distances), ScalesOf(result.start_shapelets, model), options.vote_exponents);
-  for (View& view : ScaleViews(model.Features(distances), ScalesOf(model.shapelets, model), options.vote_exponents)) {
-    views.push_back(std::move(view));
+  if (options.voters == 0) {
+    KMeansOptions kmeans;
+    kmeans.clusters = options.clusters;
+    kmeans.restarts = options.kmeans_restarts;
+    kmeans.seed = options.seed;
+    return KMeans(model.Features(distances), kmeans).labels;
   }
-  return ConsensusLabels(views, kmeans, ThreadCount(options.threads));
+  const int random_voters = random_distances.cols() > 0 ? options.voters / 2 : 0;
+  const std::vector<View> views{
+      {model.Features(distances), ScalesOf(model.shapelets, model), options.voters - random_voters},
+      {Standardised(random_distances), Eigen::VectorXf::Ones(random_distances.cols()), random_voters}};
+  ConsensusOptions consensus;
+  consensus.clusters = options.clusters;
+  consensus.restarts = options.kmeans_restarts;
+  consensus.seed = options.seed;
+  return ConsensusLabels(views, consensus, ThreadCount(options.threads));
 }
 
 TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
@@ -184,14 +183,12 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   model.sample_period = episodes.front().sample_period;
   model.flat_fraction = options.learner.flat_fraction;
   for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
-  result.start_shapelets = StartShapeletsOf(banks, options.learner.shortest);
 
   const int threads = ThreadCount(options.threads);
   const Eigen::MatrixXf distances =
       AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
-  const Eigen::MatrixXf start_distances =
-      AllDistances(series, FeatureExtractor(result.start_shapelets, model.flat_fraction), threads);
-  result.labels = VotedLabels(result, start_distances, distances, options);
+  result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0, options.seed);
+  result.labels = VotedLabels(result, distances, result.random_shapelets.Distances(series, threads), options);
   model.clusters = FormClusters(model.Features(distances), result.labels, options);
   const std::vector<std::string> names = NameClusters(result.labels, outcomes, options.clusters);
   for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];

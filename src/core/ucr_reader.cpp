@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -55,7 +56,9 @@ double Number(const std::string& text, const std::string& path, int row, std::si
   if (text.empty() || *end != '\0') {
     Fail(path, row, "column " + std::to_string(column + 1) + " holds '" + text + "', which is not a number");
   }
-  if (std::isinf(value)) Fail(path, row, "column " + std::to_string(column + 1) + " holds an infinite value");
+  if (std::abs(value) > std::numeric_limits<float>::max()) {
+    Fail(path, row, "column " + std::to_string(column + 1) + " holds an infinite value");
+  }
   return value;
 }
 
@@ -154,8 +157,9 @@ void CheckMembers(const UcrFile& file, const UcrFile& other, std::vector<std::st
     if (members.first > 1) continue;
     const auto found = others.find(label);
     const std::string what = "class " + ClassText(label) + " has one member";
-    if (found == others.end() || found->second.first < 2)
+    if (found == others.end() || found->second.first < 2) {
       Fail(file.path, members.second, what + ", expected 2 or more");
+    }
     if (notes != nullptr) notes->push_back(file.path + ": row " + std::to_string(members.second) + ": " + what);
   }
 }

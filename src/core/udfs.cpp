@@ -52,8 +52,9 @@ void CheckOptions(const Eigen::Ref<const Eigen::MatrixXd>& points, int clusters,
   if (!(options.ridge > 0.0)) throw std::invalid_argument("ridge must be above 0");
   if (!(options.sparsity > 0.0)) throw std::invalid_argument("sparsity must be above 0");
   if (options.iterations < 1) throw std::invalid_argument("iterations must be at least 1");
-  if (!(options.kept_part > 0.0 && options.kept_part <= 1.0))
+  if (!(options.kept_part > 0.0 && options.kept_part <= 1.0)) {
     throw std::invalid_argument("kept_part must be in (0, 1]");
+  }
 }
 
 }  // namespace

@@ -2,9 +2,13 @@
 
 #include <rosbag/view.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace contact_shapelets {
@@ -12,9 +16,13 @@ namespace contact_shapelets {
 void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expected) {
   const std::string but = path + ": expected " + expected + ", but ";
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0) throw std::runtime_error(but + "there is no such file");
+  if (stat(path.c_str(), &status) != 0) {
+    const bool missing = errno == ENOENT || errno == ENOTDIR;
+    throw std::runtime_error(but + (missing ? "there is no such file" : std::strerror(errno)));
+  }
   if (!S_ISREG(status.st_mode)) throw std::runtime_error(but + "it is not a file");
   if (status.st_size == 0) throw std::runtime_error(but + "the file is empty");
+  if (access(path.c_str(), R_OK) != 0) throw std::runtime_error(but + "it cannot be read: " + std::strerror(errno));
   std::string start(9, '\0');
   std::ifstream(path).read(&start[0], static_cast<std::streamsize>(start.size()));
   if (start != "#ROSBAG V") throw std::runtime_error(but + "it cannot be read: the file is of another kind");
@@ -50,9 +58,14 @@ std::vector<std::string> BagTopics::Named(const std::string& name, const std::st
 }
 
 std::string BagTopics::List() const {
-  std::string list;
-  for (const auto& [topic, type] : type_of_) list += (list.empty() ? "" : ", ") + topic + " (" + type + ")";
-  return list.empty() ? "none" : list;
+  if (type_of_.empty()) return "none";
+  std::ostringstream list;
+  const char* separator = "";
+  for (const auto& [topic, type] : type_of_) {
+    list << separator << topic << " (" << type << ')';
+    separator = ", ";
+  }
+  return list.str();
 }
 
 }  // namespace contact_shapelets

@@ -101,7 +101,7 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
     features_publisher_.publish(FeaturesMessage(episode, model, result.features));
     ++diagnosed_;
     episode_fault_.clear();
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::exception& error) {
     ++refused_;
     episode_fault_ = "episode " + message.episode_id + " is not diagnosed: " + OneLine(error.what());
     ROS_ERROR_THROTTLE(1.0, "%s", episode_fault_.c_str());
@@ -112,8 +112,13 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
   try {
     if (!classifier_) throw std::runtime_error("there is no model");
     classifier_->NameCluster(request.cluster, request.label);
-    response.message = "cluster " + std::to_string(request.cluster) + " is " + request.label + ", " + SaveNames();
-    response.success = 1U;
+    const std::string named = "cluster " + std::to_string(request.cluster) + " is " + request.label;
+    try {
+      response.message = named + ", " + SaveNames();
+      response.success = 1U;
+    } catch (const std::exception& error) {
+      throw std::runtime_error(named + " until this node ends, not saved: " + error.what());
+    }
   } catch (const std::exception& error) {
     response.message = OneLine(error.what());
     ROS_ERROR("%s", response.message.c_str());

@@ -1,7 +1,6 @@
 #include "contact_shapelets/ros/conversions.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -47,8 +46,8 @@ core::Episode FromMessage(const Episode& message) {
   episode.complete = message.complete;
   episode.end_reason = static_cast<core::EndReason>(message.end_reason);
   episode.outcome = message.outcome;
-  if (!(episode.sample_period > 0.0) || !std::isfinite(episode.sample_period)) {
-    throw std::invalid_argument("episode " + episode.id + " has a sample period that is not above 0");
+  if (!core::IsSamplePeriod(episode.sample_period)) {
+    throw std::invalid_argument("episode " + episode.id + " has a sample period that is not in [0.0001, 1] s");
   }
   if (!episode.force.allFinite()) {
     throw std::invalid_argument("episode " + episode.id + " holds a force that is not finite");

@@ -174,7 +174,8 @@ core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   core::LearnerOptions& learner = options.learner;
   reader->Read("clusters", &options.clusters);
   reader->Read("kmeans_restarts", &options.kmeans_restarts);
-  reader->Read("vote_exponents", &options.vote_exponents);
+  reader->Read("voters", &options.voters);
+  reader->Read("random_shapelets", &options.random_shapelets);
   reader->Read("novelty_quantile", &options.novelty_quantile);
   reader->Read("novelty_margin", &options.novelty_margin);
   reader->Read("threads", &options.threads);

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <stdexcept>
 
 #include "contact_shapelets/core/partition_metrics.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
+#include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/parameters.h"
 #include "contact_shapelets/ros/topics.h"
 #include "text.h"
@@ -19,23 +19,6 @@ using diagnostic_msgs::DiagnosticStatus;
 
 /// Of the whole, in fractions of the progress: an estimate for bags of raw wrench.
 constexpr double kReadingPart = 0.1;
-
-/// Rand index of the clusters against the outcomes that are given; NaN where fewer than two are.
-float RandIndexOf(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels) {
-  std::map<std::string, int> classes;
-  std::vector<int> used;
-  std::vector<int> given;
-  for (std::size_t index = 0; index < episodes.size(); ++index) {
-    if (episodes[index].outcome.empty()) continue;
-    used.push_back(labels[static_cast<Eigen::Index>(index)]);
-    given.push_back(classes.emplace(episodes[index].outcome, static_cast<int>(classes.size())).first->second);
-  }
-  if (used.size() < 2) return std::numeric_limits<float>::quiet_NaN();
-  const auto size = static_cast<Eigen::Index>(used.size());
-  return static_cast<float>(core::ComparePartitions(Eigen::Map<const Eigen::VectorXi>(used.data(), size),
-                                                    Eigen::Map<const Eigen::VectorXi>(given.data(), size))
-                                .rand_index);
-}
 
 }  // namespace
 
@@ -138,13 +121,14 @@ TrainResult TrainerNode::Train(const Task& task, const core::ProgressCallback& p
 
 void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& progress, TrainResult* result) {
   if (!parameter_faults_.empty()) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
-  if (task.output.empty()) throw std::runtime_error("output: expected the path of the model to write, but it is empty");
-  SetState(DiagnosticStatus::OK, "training");
   const auto go_on = [&progress](const core::TrainingProgress& state) {
     if (!progress(state)) throw core::TrainingCancelled();
   };
   std::vector<std::string> bags;
   for (const std::string& bag : task.bags) bags.push_back(WholePath(bag));
+  const std::string output = WholePath(task.output);
+  CheckModelOutput("output", output, bags);
+  SetState(DiagnosticStatus::OK, "training");
   const std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
     go_on({0, 0, 0.0, kReadingPart * done});
   });
@@ -160,12 +144,12 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
       });
   go_on(last);
   training.model.provenance.sources = bags;
-  const std::string output = WholePath(task.output);
   SaveModel(output, training.model);
   model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
   result->model_id = training.model.id;
   result->episodes = static_cast<std::uint32_t>(episodes.size());
-  result->rand_index = RandIndexOf(episodes, training.labels);
+  const auto agreement = core::CompareWithOutcomes(training.labels, episodes);
+  if (agreement) result->rand_index = static_cast<float>(agreement->scores.rand_index);
   result->message = "trained on " + std::to_string(episodes.size()) + " episodes, saved in " + output;
 }
 

@@ -75,6 +75,9 @@ void WrenchAdapterNode::ReadParameters() {
   reader.Read("damping", &damping_);
   reader.Read("arm_lengths", &lengths);
   if (!(damping_ >= 0.0)) reader.AddFaults("damping must be at least 0, but is " + std::to_string(damping_) + "\n");
+  for (const double length : lengths) {
+    if (!(length > 0.0)) reader.AddFaults("arm_lengths must be above 0 m, but one is " + std::to_string(length) + "\n");
+  }
   if (lengths.size() == 4) {
     geometry_ = {lengths[0], lengths[1], lengths[2], lengths[3]};
   } else {

@@ -1,6 +1,8 @@
 #include <yaml-cpp/yaml.h>
 
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 #include "contact_shapelets/ros/parameters.h"
@@ -10,11 +12,12 @@ namespace {
 
 /// A scalar of the type that rosparam would give it.
 XmlRpc::XmlRpcValue ScalarOf(const YAML::Node& node) {
-  const std::string text = node.Scalar();
+  const std::string& text = node.Scalar();
   if (node.Tag() == "!") return {text};  // quoted
   char* end = nullptr;
-  const long whole = std::strtol(text.c_str(), &end, 10);
-  if (!text.empty() && *end == '\0') return {static_cast<int>(whole)};
+  const std::int64_t whole = std::strtoll(text.c_str(), &end, 10);
+  const bool fits = whole >= std::numeric_limits<int>::min() && whole <= std::numeric_limits<int>::max();
+  if (!text.empty() && *end == '\0' && fits) return {static_cast<int>(whole)};
   const double number = std::strtod(text.c_str(), &end);
   if (!text.empty() && *end == '\0') return {number};
   if (text == "true" || text == "false") return {text == "true"};
@@ -44,7 +47,7 @@ ParameterReader ParameterReader::FromYaml(const std::vector<std::string>& paths)
     }
     if (root.IsNull()) continue;  // nothing but comments
     if (!root.IsMap()) throw std::runtime_error(path + ": expected `name: value` lines");
-    for (const auto& entry : root) tree[entry.first.as<std::string>()] = ValueOf(entry.second);
+    for (const auto& entry : root) tree[entry.first.Scalar()] = ValueOf(entry.second);
   }
   return ParameterReader(tree);
 }

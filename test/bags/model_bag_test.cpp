@@ -177,7 +177,7 @@ TEST_F(ModelBagTest, RefusesFaultyContentsAndNamesThem) {
   message.centroids[0].values.pop_back();
   WriteMessages(Path("model.bag"), {message});
   ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }),
-              {Path("model.bag"), "the sample period is not above 0", "cluster 0 has 1 features"});
+              {Path("model.bag"), "the sample period is not in [0.0001, 1] s", "cluster 0 has 1 features"});
 }
 
 TEST_F(ModelBagTest, RefusesLabelsThatDoNotBelongToTheClusters) {

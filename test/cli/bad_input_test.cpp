@@ -1,4 +1,9 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <thread>
 
 #include "cli/made_bags.h"
 #include "cli/program.h"
@@ -111,7 +116,7 @@ TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
   const std::string config = WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
   ExpectRefusal({"train", Sound(), "--model", model_, "--config", config}, 1,
                 {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
-                 "sample_period must be in (0, 1] s, but is 7", "stepps is not a parameter"});
+                 "sample_period must be in [0.0001, 1] s, but is 7", "stepps is not a parameter"});
 }
 
 TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
@@ -123,6 +128,16 @@ TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
   ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1, {"--model", "there is no folder"});
   ExpectRefusal({"classify", Sound(), "--model", model_, "--csv", folder_ / "none/a.csv"}, 1,
                 {"--csv", "there is no folder"});
+}
+
+TEST_F(BadInputTest, FilesWithoutPermissionAreNamed) {
+  if (geteuid() == 0) GTEST_SKIP() << "root has every permission";
+  const std::string bag = Sound();
+  const std::string table = WriteFile(folder_ / "table.csv", "as it was");
+  chmod(table.c_str(), 0400);
+  ExpectRefusal({"classify", bag, "--model", model_, "--csv", table}, 1, {"table.csv", "write-protected"});
+  chmod(bag.c_str(), 0200);
+  ExpectRefusal({"classify", bag, "--model", bag}, 1, {"sound.bag", "Permission denied"});
 }
 
 TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
@@ -138,7 +153,7 @@ TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
 
 TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
   const std::string bag = Sound();
-  ExpectRefusal({}, 2, {"subcommand"});
+  ExpectRefusal({}, 2, {"train, classify"});
   ExpectRefusal({"learn"}, 2, {"train, classify", "learn"});
   ExpectRefusal({"train", bag}, 2, {"--model"});
   ExpectRefusal({"train", bag, "--model", model_, "--clusters", "1"}, 2, {"--clusters", "1"});
@@ -164,15 +179,35 @@ TEST_F(BadInputTest, FailedTrainingLeavesTheOldModel) {
   EXPECT_EQ(ReadFile(model_), before);
 }
 
-TEST_F(BadInputTest, KilledTrainingLeavesTheOldModelAndNothingElse) {
+TEST_F(BadInputTest, ResultsThatCannotBeWrittenToStdoutAreAFault) {
+  const ProgramRun run = RunShapeletsWithoutSpace({"inspect", Sound()});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;
+}
+
+TEST_F(BadInputTest, TrainingsThatEndTogetherLeaveOneWholeModel) {
+  const std::string bag = Sound();
+  const std::vector<std::string> arguments{"train", bag, "--model", model_, "--config", quick_};
+  std::vector<std::thread> trainings;
+  for (int index = 0; index < 4; ++index) {
+    trainings.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
+  }
+  for (std::thread& training : trainings) training.join();
+  EXPECT_EQ(RunShapelets({"classify", bag, "--model", model_}).status, 0);
+  for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+TEST_F(BadInputTest, TrainingEndedByASignalLeavesTheOldModelAndNothingElse) {
   const std::string bag = Sound();
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string before = ReadFile(model_);
   const std::vector<std::string> files = folder_.Files();
   const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
-  ASSERT_TRUE(KillShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go"));
-  EXPECT_EQ(ReadFile(model_), before);
-  EXPECT_EQ(folder_.Files(), files);
+  for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
+    ASSERT_TRUE(EndShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go", number)) << number;
+    EXPECT_EQ(ReadFile(model_), before) << number;
+    EXPECT_EQ(folder_.Files(), files) << number;
+  }
 }
 
 }  // namespace

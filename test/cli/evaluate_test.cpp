@@ -123,6 +123,9 @@ TEST(Evaluate, RefusesBagsWithoutOutcomes) {
 TEST(Evaluate, RefusesWrongUsageInOneLine) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"evaluate"},
                                                     {"evaluate", "--data", "x", "--methods", "magic"},
+                                                    {"evaluate", "--data", "x", "--methods", ""},
+                                                    {"evaluate", "--data", "x", "--datasets", "A,,B"},
+                                                    {"evaluate", "--data", "x", "--datasets", "A,"},
                                                     {"evaluate", "--data", "x", "--seeds", "0"}}) {
     const auto run = RunShapelets(arguments);
     EXPECT_EQ(run.status, 2) << run.err;

@@ -218,6 +218,19 @@ TEST_F(OutputsTest, ReportListsNovelEpisodes) {
   const std::string page = ReadFile(out + "/index.html");
   EXPECT_NE(page.find("<th>novel episode</th>"), std::string::npos);
   EXPECT_NE(page.find("<td class=\"n\">10000.100</td>"), std::string::npos);
+  // "unknown" is right for an outcome that no cluster is named after.
+  EXPECT_NE(page.find("n right"), std::string::npos);
+  EXPECT_EQ(page.find("n wrong"), std::string::npos);
+}
+
+TEST_F(OutputsTest, ReportOnEpisodesWithoutOutcomesCallsNoneWrong) {
+  MadeBag content;
+  content.outcomes = false;
+  const std::string out = *folder_ / "unnamed";
+  ASSERT_EQ(RunShapelets({"report", model_, Make(*folder_ / "unnamed.bag", content), "--out", out}).status, 0);
+  const std::string page = ReadFile(out + "/index.html");
+  EXPECT_NE(page.find("<th>(not given)</th>"), std::string::npos);
+  EXPECT_EQ(page.find("n wrong"), std::string::npos);
 }
 
 }  // namespace

@@ -39,21 +39,33 @@ int OpenForWriting(const std::string& path) {
   return descriptor;
 }
 
-}  // namespace
-
-ProgramRun RunShapelets(const std::vector<std::string>& arguments) {
+/// Runs the program with stdout led to a file, which is not read.
+ProgramRun RunInto(const std::string& path, const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
-  const int out = OpenForWriting(folder / "out");
+  const int out = OpenForWriting(path);
   const int err = OpenForWriting(folder / "err");
   const pid_t child = Start(arguments, out, err);
   close(out);
   close(err);
   int status = 0;
   waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadFile(folder / "out"), ReadFile(folder / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, "", ReadFile(folder / "err")};
 }
 
-bool KillShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text) {
+}  // namespace
+
+ProgramRun RunShapelets(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  ProgramRun run = RunInto(folder / "out", arguments);
+  run.out = ReadFile(folder / "out");
+  return run;
+}
+
+ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments) {
+  return RunInto("/dev/full", arguments);
+}
+
+bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe can be made");
   const int nowhere = OpenForWriting("/dev/null");
@@ -67,7 +79,7 @@ bool KillShapeletsAfter(const std::vector<std::string>& arguments, const std::st
     if (size <= 0) break;
     err.append(part.data(), static_cast<std::size_t>(size));
   }
-  kill(child, SIGKILL);
+  kill(child, number);
   int status = 0;
   waitpid(child, &status, 0);
   close(pipe_ends[0]);
@@ -86,8 +98,9 @@ TemporaryFolder::~TemporaryFolder() {
 
 std::vector<std::string> TemporaryFolder::Files() const {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_))
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
     names.push_back(entry.path().filename().string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }

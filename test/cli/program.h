@@ -20,9 +20,12 @@ struct ProgramRun {
 /// Runs `shapelets` with these arguments and waits for its end.
 ProgramRun RunShapelets(const std::vector<std::string>& arguments);
 
-/// Starts `shapelets`, waits until it has written `text` to stderr, and kills it by SIGKILL.
-/// Returns false where it ended before.
-bool KillShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text);
+/// Runs it with its stdout led to a device without space.
+ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments);
+
+/// Starts `shapelets`, waits until it has written `text` to stderr, and sends it the signal `number`.
+/// Returns whether that ended it.
+bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number);
 
 /// A folder that is removed with all that is in it.
 class TemporaryFolder {

@@ -183,7 +183,7 @@ TEST(Classifier, RefusesAnEpisodeThatItCannotJudge) {
     one.force.resize(0);
     EXPECT_THROW(classifier.Classify(one), std::invalid_argument);
   }
-  for (const double period : {0.0, -0.01, std::nan("")}) {
+  for (const double period : {0.0, -0.01, 1e-9, 1e6, std::nan("")}) {
     Episode wrong = EpisodeWith(0, 1);
     wrong.sample_period = period;
     EXPECT_THROW(classifier.Classify(wrong), std::invalid_argument);

@@ -9,15 +9,22 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// A view of `groups`, one point per series at 10 times its group, with noise.
-View GroupedView(const Eigen::Ref<const Eigen::VectorXi>& groups, std::uint64_t seed) {
+/// Six features of which each tells `groups` apart, with noise.
+View GroupedView(const Eigen::Ref<const Eigen::VectorXi>& groups, int voters, std::uint64_t seed) {
+  constexpr int kFeatures = 6;
   Random random(seed);
-  View view(groups.size(), 2);
+  View view{Eigen::MatrixXf(groups.size(), kFeatures), Eigen::VectorXf::Ones(kFeatures), voters};
   for (Eigen::Index row = 0; row < groups.size(); ++row) {
-    view.row(row) << static_cast<float>(10.0 * groups[row] + 0.1 * random.Normal()),
-        static_cast<float>(random.Normal());
+    for (int column = 0; column < kFeatures; ++column) {
+      view.features(row, column) = static_cast<float>(10.0 * groups[row] + 0.1 * random.Normal());
+    }
   }
   return view;
+}
+
+/// Features of one group alone.
+View NoiseView(int count, int voters, std::uint64_t seed) {
+  return GroupedView(Eigen::VectorXi::Zero(count), voters, seed);
 }
 
 Eigen::VectorXi Alternating(int count) {
@@ -33,47 +40,52 @@ Eigen::VectorXi Halves(int count) {
   return groups;
 }
 
-KMeansOptions TwoClusters() {
-  KMeansOptions options;
+ConsensusOptions TwoClusters() {
+  ConsensusOptions options;
   options.clusters = 2;
   options.seed = 5;
   return options;
 }
 
-TEST(Consensus, FollowsTheMajorityAgainstAViewThatDisagrees) {
-  const std::vector<View> views{GroupedView(Alternating(40), 1), GroupedView(Halves(40), 2),
-                                GroupedView(Alternating(40), 3)};
+TEST(Consensus, FollowsTheMajorityOfVoters) {
+  const std::vector<View> views{GroupedView(Alternating(40), 20, 1), GroupedView(Halves(40), 8, 2)};
   EXPECT_EQ(ConsensusLabels(views, TwoClusters(), 1), Alternating(40));
 }
 
-TEST(Consensus, ASingleViewDecidesAlone) {
-  const View view = GroupedView(Alternating(30), 4);
-  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), Alternating(30));
+TEST(Consensus, IsNotSwayedByAsManyVotersThatSeeNoise) {
+  const std::vector<View> views{GroupedView(Alternating(40), 20, 3), NoiseView(40, 20, 4)};
+  EXPECT_EQ(ConsensusLabels(views, TwoClusters(), 1), Alternating(40));
+}
+
+TEST(Consensus, WeighsColumnsOfSmallScaleMore) {
+  // Alternating() in columns of small scale, Halves() in others, which are larger by half.
+  View view = GroupedView(Alternating(40), 40, 6);
+  const View other = GroupedView(Halves(40), 0, 7);
+  view.features.rightCols(3) = 1.5F * other.features.rightCols(3);
+  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), Halves(40));
+  view.scales.head(3).setConstant(0.01F);
+  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), Alternating(40));
 }
 
 TEST(Consensus, DoesNotDependOnTheNumberOfThreads) {
-  std::vector<View> views;
-  for (std::uint64_t seed = 0; seed < 5; ++seed) views.push_back(Eigen::MatrixXf::Random(50, 3));
-  EXPECT_EQ(ConsensusLabels(views, TwoClusters(), 1), ConsensusLabels(views, TwoClusters(), 3));
+  const View view = NoiseView(50, 15, 8);
+  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), ConsensusLabels({view}, TwoClusters(), 3));
 }
 
-TEST(Consensus, RefusesViewsOfDifferentSeries) {
-  EXPECT_THROW(ConsensusLabels({View::Zero(4, 2), View::Zero(5, 2)}, TwoClusters(), 1), std::invalid_argument);
+TEST(Consensus, SplitsAsManySeriesAsClusters) {
+  EXPECT_EQ(ConsensusLabels({GroupedView(Alternating(2), 9, 9)}, TwoClusters(), 1), Alternating(2));
+}
+
+TEST(Consensus, RefusesViewsThatDoNotMatch) {
+  EXPECT_THROW(ConsensusLabels({NoiseView(4, 1, 1), NoiseView(5, 1, 1)}, TwoClusters(), 1), std::invalid_argument);
+  View view = NoiseView(4, 1, 1);
+  view.scales = Eigen::VectorXf::Ones(2);
+  EXPECT_THROW(ConsensusLabels({view}, TwoClusters(), 1), std::invalid_argument);
+}
+
+TEST(Consensus, NeedsAVoter) {
   EXPECT_THROW(ConsensusLabels({}, TwoClusters(), 1), std::invalid_argument);
-}
-
-TEST(ScaleViews, WeighEachFeatureByAPowerOfItsScale) {
-  const Eigen::MatrixXf features = Eigen::MatrixXf::Ones(3, 2);
-  const std::vector<View> views = ScaleViews(features, Eigen::Vector2f(0.25F, 1.0F), {0.0, 0.5, 1.0});
-  ASSERT_EQ(views.size(), 3U);
-  EXPECT_TRUE(views[0].isApprox(features));
-  EXPECT_NEAR(views[1](2, 0), 2.0, 1e-6);
-  EXPECT_NEAR(views[2](2, 0), 4.0, 1e-6);
-  EXPECT_NEAR(views[2](2, 1), 1.0, 1e-6);
-}
-
-TEST(ScaleViews, NeedOneScaleForEachFeature) {
-  EXPECT_THROW(ScaleViews(Eigen::MatrixXf::Ones(3, 2), Eigen::Vector3f::Ones(), {0.0}), std::invalid_argument);
+  EXPECT_THROW(ConsensusLabels({NoiseView(4, 0, 1)}, TwoClusters(), 1), std::invalid_argument);
 }
 
 }  // namespace

@@ -287,7 +287,7 @@ TEST(EpisodeSegmenter, RefusesOptionsAndNamesEveryFault) {
     FAIL() << "faulty options were accepted";
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("sample_period must be in (0, 1] s, but is 0"), std::string::npos) << message;
+    EXPECT_NE(message.find("sample_period must be in [0.0001, 1] s, but is 0"), std::string::npos) << message;
     EXPECT_NE(message.find("contact_on must be above contact_off, but is 1"), std::string::npos) << message;
     EXPECT_NE(message.find("edge_wait must be in [0, 1] s, but is 2"), std::string::npos) << message;
   }

@@ -30,7 +30,7 @@ TEST(Model, ListsEveryFaultAtOnce) {
   model.clusters[0].novelty_limit = -1.0F;
   model.clusters[1].centroid[1] = std::numeric_limits<float>::infinity();
   EXPECT_EQ(model.Faults(),
-            "the sample period is not above 0\n"
+            "the sample period is not in [0.0001, 1] s\n"
             "the flat fraction is not in [0, 1)\n"
             "the log offset is not above 0\n"
             "shapelet 0 has fewer than 2 values\n"
@@ -43,7 +43,7 @@ TEST(Model, ListsEveryFaultAtOnce) {
 
 TEST(Model, NamesWhatIsMissing) {
   EXPECT_EQ(Model().Faults(),
-            "the sample period is not above 0\n"
+            "the sample period is not in [0.0001, 1] s\n"
             "the model has no shapelet\n"
             "the model has no cluster\n");
 }

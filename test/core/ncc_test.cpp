@@ -31,7 +31,7 @@ Eigen::VectorXf RandomWalk(int count, std::uint64_t seed) {
   Random random(seed);
   Eigen::VectorXf walk(count);
   double sum = 0.0;
-  for (float& value : walk) value = static_cast<float>(sum += random.Normal());
+  for (int index = 0; index < count; ++index) walk[index] = static_cast<float>(sum += random.Normal());
   return walk;
 }
 

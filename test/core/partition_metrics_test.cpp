@@ -189,6 +189,26 @@ TEST(LeastCostAssignment, RefusesACostThatIsNotFinite) {
 
 using Names = std::vector<std::string>;
 
+TEST(CompareWithOutcomes, ComparesThoseThatHaveOne) {
+  std::vector<Episode> episodes(5);
+  episodes[0].outcome = "on";
+  episodes[2].outcome = "off";
+  episodes[3].outcome = "on";
+  const Eigen::VectorXi labels = (Eigen::VectorXi(5) << 1, 1, 0, 0, 1).finished();
+  const auto agreement = CompareWithOutcomes(labels, episodes);
+  ASSERT_TRUE(agreement);
+  EXPECT_EQ(agreement->episodes, 3U);
+  // Of the three pairs only the first one is grouped alike.
+  EXPECT_NEAR(agreement->scores.rand_index, 1.0 / 3.0, 1e-12);
+}
+
+TEST(CompareWithOutcomes, SaysNothingWhereFewerThanTwoHaveOne) {
+  std::vector<Episode> episodes(3);
+  episodes[1].outcome = "on";
+  EXPECT_FALSE(CompareWithOutcomes(Eigen::VectorXi::Zero(3), episodes));
+  EXPECT_THROW(CompareWithOutcomes(Eigen::VectorXi::Zero(2), episodes), std::invalid_argument);
+}
+
 TEST(NameClusters, GivesEachClusterItsOutcome) {
   EXPECT_EQ(NameClusters(Labels({0, 0, 1, 1, 2}), {"b", "b", "a", "a", "c"}, 3), (Names{"b", "a", "c"}));
 }

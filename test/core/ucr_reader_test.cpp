@@ -91,14 +91,26 @@ TEST_F(UcrReader, NamesRowAndColumnOfAValueThatIsNotANumber) {
   EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 3: column 3 holds 'one', which is not a number");
 }
 
+TEST_F(UcrReader, RefusesAQuestionMarkForAMissingValue) {
+  WriteBoth("1\t0\t1\t2\n1\t0\t?\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
+  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '?', which is not a number");
+}
+
+TEST_F(UcrReader, RefusesASingleColumn) {
+  WriteBoth("1\n1\n-1\n-1\n");
+  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: the series has fewer than 2 values");
+}
+
 TEST_F(UcrReader, RefusesAnEmptyValue) {
   WriteBoth("1,0,1,2\n1,0,,2\n-1,3,1,0\n-1,3,2,0\n");
   EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '', which is not a number");
 }
 
 TEST_F(UcrReader, RefusesAnInfiniteValue) {
-  WriteBoth("1\t0\t1\tinf\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: column 4 holds an infinite value");
+  for (const std::string value : {"inf", "-inf", "1e400", "-1e39"}) {
+    WriteBoth("1\t0\t1\t" + value + "\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
+    EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: column 4 holds an infinite value") << value;
+  }
 }
 
 TEST_F(UcrReader, NamesTheRowOfAConstantSeries) {

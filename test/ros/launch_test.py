@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -85,6 +86,9 @@ class LaunchFiles(unittest.TestCase):
         for name, topic in DRIVERS.items():
             with self.subTest(name):
                 self.assertEqual(remaps_of(load(paths[name]), "episode_node")["wrench"], topic)
+                told = load(paths[name], ["segmentation:=action", "action_status:=/push/status"])
+                self.assertEqual(told.params["/episode_node/segmentation"].value, "action")
+                self.assertEqual(remaps_of(told, "episode_node")["action_status"], "/push/status")
 
     def test_adapters_publish_what_the_episode_node_listens_to(self):
         for name, source in (("iiwa_stack", "/iiwa/state/CartesianWrench"), ("iiwa_ros", "/additional_outputs")):
@@ -122,7 +126,8 @@ class Training(unittest.TestCase):
         (program,) = roslib.packages.find_node(PACKAGE, "trainer_node")[:1]
         with tempfile.TemporaryDirectory() as folder:
             output = pathlib.Path(folder) / "model.bag"
-            output.write_bytes(b"as it was")
+            shutil.copy(rospy.get_param("/paths/model"), output)
+            before = output.read_bytes()
             health = Health()
             command = [program, f"__name:={name}", "_steps:=1000000", f"_output:={output}",
                        f"_bags:={ROOT}/bags/switch_push_test.bag"]
@@ -132,7 +137,7 @@ class Training(unittest.TestCase):
                 finally:
                     process.send_signal(number)
                 self.assertEqual(process.wait(LIMIT), 0)
-            self.assertEqual(output.read_bytes(), b"as it was")
+            self.assertEqual(output.read_bytes(), before)
             self.assertEqual(os.listdir(folder), ["model.bag"])
 
     def test_ends_by_interrupt_and_leaves_the_old_model(self):

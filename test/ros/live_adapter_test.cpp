@@ -146,5 +146,14 @@ TEST(WrenchAdapter, MakesJointTorquesAWrenchAtTheFlange) {
   EXPECT_EQ(received.header.frame_id, "iiwa_link_ee");
 }
 
+TEST(WrenchAdapter, StaysUpAndNamesEachParameterOutOfRange) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(diagnostics.WaitFor("faulty/wrench_adapter_node", [](const diagnostic_msgs::DiagnosticStatus& status) {
+    return status.level == diagnostic_msgs::DiagnosticStatus::ERROR &&
+           status.message.find("damping") != std::string::npos &&
+           status.message.find("arm_lengths must be above 0 m, but one is -0.4") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace contact_shapelets::test

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <std_msgs/String.h>
 
+#include <filesystem>
 #include <limits>
 
 #include "contact_shapelets/ros/conversions.h"
@@ -141,6 +142,16 @@ TEST(Classifier, NamesAClusterAndSavesTheName) {
   EXPECT_EQ(saved.clusters[static_cast<std::size_t>(before.cluster)].label, "clicked");
 }
 
+TEST(Classifier, SaysThatANameWasNotSaved) {
+  RunningClassifier node("named");
+  const std::string path = PathParameter("named_model");
+  std::filesystem::rename(path, path + ".away");
+  const NameCluster::Response response = node.Name(1, "clicked");
+  std::filesystem::rename(path + ".away", path);
+  EXPECT_FALSE(response.success);
+  EXPECT_NE(response.message.find("not saved: " + path), std::string::npos) << response.message;
+}
+
 TEST(Classifier, RefusesANameForNoClusterAndAnEmptyName) {
   RunningClassifier node("file");
   EXPECT_FALSE(node.Name(99, "far").success);
@@ -194,6 +205,11 @@ TEST(Classifier, RefusesABadEpisodeAndRecovers) {
   episode.force.front() = std::numeric_limits<float>::quiet_NaN();
   node.End(episode);
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::WARN, "not finite"));
+  // As many samples at the model's period as no memory holds.
+  Episode endless = AnEpisode();
+  endless.sample_period = 1e8;
+  node.End(endless);
+  EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::WARN, "sample period"));
   Diagnosis diagnosis;
   ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::OK, "model in use"));

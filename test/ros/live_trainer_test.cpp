@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "contact_shapelets/ros/model_bag.h"
@@ -39,10 +40,10 @@ TrainGoal GoalTo(const std::string& output) {
   return goal;
 }
 
-/// A file that no training may touch.
+/// A copy of a model that no training may touch.
 std::string OldModel() {
   const std::string path = testing::TempDir() + "old_model.bag";
-  std::ofstream(path) << "as it was";
+  std::ofstream(path, std::ios::binary) << Contents(PathParameter("model"));
   return path;
 }
 
@@ -120,6 +121,24 @@ TEST(Trainer, RefusesMoreClustersThanEpisodes) {
   ASSERT_TRUE(Finished(&client));
   EXPECT_EQ(client.getState(), SimpleClientGoalState::ABORTED);
   EXPECT_NE(client.getResult()->message.find("fewer episodes (45) than clusters (46)"), std::string::npos);
+}
+
+TEST(Trainer, RefusesAnOutputBeforeItTrains) {
+  // Its training would never end.
+  Client client("slow/train", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kLimit)));
+  const std::string recording = testing::TempDir() + "recording.bag";
+  const std::string before = Contents(PathParameter("bags") + "/switch_push_raw.bag");
+  std::ofstream(recording, std::ios::binary) << before;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {recording, "found another bag"}, {"/no/such/folder/model.bag", "there is no folder"}, {"", "it is empty"}};
+  for (const auto& [output, fault] : cases) {
+    client.sendGoal(GoalTo(output));
+    ASSERT_TRUE(Finished(&client));
+    EXPECT_EQ(client.getState(), SimpleClientGoalState::ABORTED);
+    EXPECT_NE(client.getResult()->message.find(fault), std::string::npos) << client.getResult()->message;
+  }
+  EXPECT_EQ(Contents(recording), before);
 }
 
 TEST(Trainer, RefusesGoalsWhileParametersAreOutOfRange) {

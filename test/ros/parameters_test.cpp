@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <regex>
 
 namespace contact_shapelets {
 namespace {
@@ -39,6 +41,22 @@ TEST(ShippedParameters, ClassifierFileHoldsEachParameterAtItsDefault) {
   ExpectDefaults(reader);
 }
 
+TEST(Readme, ListsEachShippedParameterWithItsDefault) {
+  std::ifstream readme("README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), std::istreambuf_iterator<char>()};
+  for (const std::string file : {"config/episode.yaml", "config/trainer.yaml", "config/classifier.yaml"}) {
+    std::ifstream lines(file);
+    for (std::string line; std::getline(lines, line);) {
+      const std::size_t colon = line.find(": ");
+      if (line.empty() || line.front() == '#' || colon == std::string::npos) continue;
+      const std::regex row("\n\\| `" + line.substr(0, colon) + "` \\| [a-z\\[\\]]+ \\| ([^|]*) \\|");
+      std::smatch found;
+      ASSERT_TRUE(std::regex_search(text, found, row)) << line;
+      EXPECT_EQ(found[1], line.substr(colon + 2)) << file;
+    }
+  }
+}
+
 TEST(ParameterReader, ReadsValuesOfEachKind) {
   ParameterReader reader = ReaderOf(
       "sample_period: 1\ntare: free_air\nscales: [0.5, 1]\nobjective: paper\nseed: 7\nearly: false\nmodel: \"12\"\n");
@@ -68,6 +86,14 @@ TEST(ParameterReader, ListsEveryFaultAtOnce) {
   EXPECT_NE(faults.find("max_gap must be above 0 s, but is -1"), std::string::npos);
   EXPECT_NE(faults.find("min_duration must be a number"), std::string::npos);
   EXPECT_NE(faults.find("progress_rate must be in [0, 100] Hz"), std::string::npos);
+}
+
+TEST(ParameterReader, RefusesWhatIsNoSingleWholeNumber) {
+  for (const std::string value : {"3.5", "99999999999", "[3]", "{a: 3}", "three", ""}) {
+    ParameterReader reader = ReaderOf("clusters: " + value + "\n");
+    ReadTrainerOptions(&reader);
+    EXPECT_NE(reader.Faults().find("clusters must be a whole number"), std::string::npos) << value;
+  }
 }
 
 TEST(ParameterReader, NamesWhatNothingRead) {

@@ -36,7 +36,7 @@ class Classifier {
 
   /// Classifies one episode in a single pass. An episode of another sample period is resampled first.
   /// \throws std::invalid_argument where the episode has fewer than 2 samples, before or after that, a value that is
-  /// not finite, or a sample period that is not above 0.
+  /// not finite, or a sample period that is not in [0.0001, 1] s.
   Classification Classify(const Episode& episode) const;
 
   /// Sets the label of a cluster. \throws std::invalid_argument where there is no such cluster or the label is empty.

@@ -1,28 +1,40 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
-#include "contact_shapelets/core/kmeans.h"
-
 /// \file
-/// Clusters by vote. K-means on one set of features answers to how those happen to be weighted; several clusterings of
-/// the same series, each seeing the shapelets with other weights, agree where the series really differ.
+/// Clusters by vote. One K-means answers to how its features happen to be weighted and to where it started; many that
+/// each see something else of the same series agree where the series really differ.
 
 namespace contact_shapelets::core {
 
-/// Features of the same N series as one voter sees them: [N, K], one series per row.
-using View = Eigen::MatrixXf;
+/// Features of N series that a group of voters looks at.
+struct View {
+  Eigen::MatrixXf features;  ///< [N, K], one series per row
+  Eigen::VectorXf scales;    ///< [K], above 0: a voter with exponent p weighs column k by scales_k^-p
+  int voters = 0;            ///< how many look at it, at least 0
+};
 
-/// One view of `features` [N, K] for each exponent p: column k times scale_k^-p, so that short shapelets count the more
-/// the larger p is. `scales` [K] are above 0.
-std::vector<View> ScaleViews(const Eigen::Ref<const Eigen::MatrixXf>& features,
-                             const Eigen::Ref<const Eigen::VectorXf>& scales, const std::vector<double>& exponents);
+/// Parameters of ConsensusLabels().
+struct ConsensusOptions {
+  int clusters = 2;        ///< C, at least 1
+  int restarts = 20;       ///< of the K-means that decides, at least 1
+  std::uint64_t seed = 0;  ///< equal seeds give equal labels
+};
 
-/// The labels [N] that the views agree on: K-means of each view; a series becomes the one-hot labels that it got, side
-/// by side, and K-means on those decides (cluster ensembles: Strehl and Ghosh 2002; by K-means: Topchy, Jain and Punch
-/// 2003). A single view decides alone. `threads` is 1 or more; the result does not depend on it. \throws
-/// std::invalid_argument where there is no view, their numbers of rows differ, or KMeans() would throw.
-Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const KMeansOptions& options, int threads);
+/// The labels [N] that the voters agree on.
+///
+/// A voter sees a random half of its view's columns, weighs them by an exponent p that is uniform in [0, 1), so that
+/// short shapelets count more with some voters than with others, and splits the series by one start of K-means into a
+/// random number of parts, C to 2 C (N at the most). A series then is the one-hot parts that it fell into, side by
+/// side, and K-means on those decides (cluster ensembles: Strehl and Ghosh 2002; of random subspaces and numbers of
+/// clusters: Fred and Jain 2005; decided by K-means: Topchy, Jain and Punch 2003). A voter that fits the series poorly
+/// splits them otherwise at each start, so that its votes scatter and count little. `threads` is 1 or more; the result
+/// does not depend on it. \throws std::invalid_argument where no view has a voter, the views' sizes do not match, a
+/// value is not
+///   finite, or N < C.
+Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads);
 
 }  // namespace contact_shapelets::core

@@ -21,12 +21,16 @@ enum class EndReason : std::uint8_t {
   kStream = 4,   ///< the wrench stopped, or time jumped back
 };
 
+/// Whether `period` [s] may lie between two samples of an episode: in [0.0001, 1]. Beyond it are no sensor and no
+/// contact, but as many samples as fill the memory.
+inline bool IsSamplePeriod(double period) { return period >= 1e-4 && period <= 1.0; }
+
 /// The magnitude of the contact force over one episode, tared and resampled.
 struct Episode {
   std::string id;                              ///< unique within a recording
   std::string frame_id;                        ///< the sensor's frame
   Nanoseconds start = 0;                       ///< time of the first sample
-  double sample_period = 0.0;                  ///< [s], above 0
+  double sample_period = 0.0;                  ///< [s], see IsSamplePeriod()
   Eigen::VectorXf force;                       ///< [N], at least 0, one value each sample period
   bool complete = true;                        ///< false while open, and where samples are known to be missing
   EndReason end_reason = EndReason::kUnknown;  ///< how it ended

@@ -27,7 +27,7 @@ class ShapeComparer {
   ShapeComparer(const ShapeComparer&) = delete;
   ShapeComparer& operator=(const ShapeComparer&) = delete;
 
-  /// The transforms of `series` [N, length], one per row of the result, with which Compare() is given them.
+  /// The transforms of `series` [N, length], one per row of the result, with which the functions below are given them.
   Eigen::MatrixXcd Spectra(const Eigen::Ref<const Eigen::MatrixXd>& series) const;
 
   /// SBD(x, y) = 1 - max_w CC_w(x, y) / (|x| |y|) over all shifts, from the series' spectra and norms; of equal shifts
@@ -35,8 +35,18 @@ class ShapeComparer {
   ShapeDistance Compare(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
                         const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const;
 
+  /// The same distance without the shift, which takes less time to find.
+  double Distance(const Eigen::Ref<const Eigen::RowVectorXcd>& x, double x_norm,
+                  const Eigen::Ref<const Eigen::RowVectorXcd>& y, double y_norm) const;
+
  private:
   struct Plans;
+
+  /// Leaves the cross-correlations at all shifts in the plans' values, each times their number, and returns the
+  /// largest.
+  double Correlate(const Eigen::Ref<const Eigen::RowVectorXcd>& x,
+                   const Eigen::Ref<const Eigen::RowVectorXcd>& y) const;
+
   std::unique_ptr<Plans> plans_;
 };
 

@@ -41,7 +41,6 @@ struct LearnerOptions {
 /// One bank: shapelets that started with equal length.
 struct ShapeletBank {
   double scale = 0.0;         ///< the bank's entry of LearnerOptions::scales
-  Eigen::MatrixXf start;      ///< [K, M], one per row: the K-means centroids that the learning started from
   Eigen::MatrixXf shapelets;  ///< [K, M], one per row, before leading and trailing zeros are cut
   double objective = 0.0;     ///< equation 6 at the last step
 };

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "contact_shapelets/core/episode.h"
 
 /// \file
 /// How well two partitions of the same items agree, and the names that this gives to clusters.
@@ -22,6 +25,17 @@ struct PartitionScores {
 /// \throws std::invalid_argument where sizes differ or a label is negative.
 PartitionScores ComparePartitions(const Eigen::Ref<const Eigen::VectorXi>& labels,
                                   const Eigen::Ref<const Eigen::VectorXi>& classes);
+
+/// Agreement with the outcomes of those episodes that have one.
+struct OutcomeScores {
+  std::size_t episodes = 0;  ///< with an outcome
+  PartitionScores scores;
+};
+
+/// How `labels` [N] agree with the outcomes of `episodes` [N]; nothing where fewer than two of them have one.
+/// \throws std::invalid_argument where sizes differ or a label is negative.
+std::optional<OutcomeScores> CompareWithOutcomes(const Eigen::Ref<const Eigen::VectorXi>& labels,
+                                                 const std::vector<Episode>& episodes);
 
 /// The assignment of rows to columns of `cost` [R, C] with the least sum (Hungarian method; Kuhn 1955, Munkres 1957).
 /// Returns for each row its column, -1 for rows left over where R > C.

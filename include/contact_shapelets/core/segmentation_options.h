@@ -25,7 +25,7 @@ enum class TareSource {
 struct SegmentationOptions {
   Segmentation segmentation = Segmentation::kTrigger;
   TareSource tare = TareSource::kEpisodeStart;
-  double sample_period = 0.01;      ///< [s] of the episodes, (0, 1]
+  double sample_period = 0.01;      ///< [s] of the episodes, [0.0001, 1]
   double tare_duration = 0.1;       ///< [s] that the tare is the mean of, (0, 10]
   double min_duration = 0.1;        ///< [s] shorter episodes are dropped, at least 2 sample periods
   double max_duration = 30.0;       ///< [s] longer episodes are closed, above min_duration, at most 600

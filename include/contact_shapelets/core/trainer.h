@@ -10,6 +10,7 @@
 #include "contact_shapelets/core/episode.h"
 #include "contact_shapelets/core/learner.h"
 #include "contact_shapelets/core/model.h"
+#include "contact_shapelets/core/random_shapelets.h"
 
 /// \file
 /// From episodes to a model: shapelet banks, clusters, names and novelty limits. Used alike by the trainer node, the
@@ -22,9 +23,8 @@ struct TrainerOptions {
   int clusters = 3;          ///< C, at least 2
   LearnerOptions learner;    ///< shapelet banks
   int kmeans_restarts = 20;  ///< of each clustering, at least 1
-  /// Clusters are voted on: a K-means for each p of this list (each in [0, 2]), in which a shapelet's feature weighs
-  /// scale^-p, on the shapelets as the learning started and as it ended. Empty: one K-means on the learned shapelets.
-  std::vector<double> vote_exponents{0.0, 0.5, 1.0};
+  int voters = 100;  ///< see ConsensusLabels(): half on the learned shapelets, half on random ones; 0: one K-means on F
+  int random_shapelets = 1000;    ///< that vote beside the learned ones, at least 0; 0: learned ones alone
   double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
   double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
   int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
@@ -54,16 +54,16 @@ class TrainingCancelled : public std::runtime_error {
 /// A model and how the training episodes fell into its clusters.
 struct TrainingResult {
   Model model;
-  Eigen::VectorXi labels;                 ///< [N] cluster of each training episode
-  std::vector<Shapelet> start_shapelets;  ///< what the learning started from; they vote, and are not part of the model
+  Eigen::VectorXi labels;            ///< [N] cluster of each training episode
+  RandomShapelets random_shapelets;  ///< they voted, and are not part of the model
 };
 
-/// The clusters [N] that series fall into by the votes of TrainerOptions::vote_exponents, given their distances F to
-/// the start shapelets of `result` and to the learned ones of its model, both with one series per row. Labels are not
-/// those of the model's clusters: series are clustered anew, without looking at the training ones. \throws
-/// std::invalid_argument where sizes do not match or there are fewer series than clusters.
-Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& start_distances,
-                            const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options);
+/// The clusters [N] that series fall into by vote, given their distances F to the shapelets of the model of `result`
+/// and what its random shapelets see, one series per row. Labels are not those of the model's clusters: series are
+/// clustered anew, without looking at the training ones. \throws std::invalid_argument where sizes do not match or
+/// there are fewer series than clusters.
+Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& distances,
+                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options);
 
 /// Learns shapelets and clusters from `episodes`, without using their outcomes; then names clusters by outcomes where
 /// there are some. Episodes must share one sample period and may differ in length.

@@ -27,7 +27,7 @@ ros::Time ToTime(core::Nanoseconds nanoseconds);
 /// The vector in the unit of the message.
 Eigen::Vector3d ToVector(const geometry_msgs::Vector3& vector);
 
-/// \throws std::invalid_argument where the sample period is not above 0 or a force is not finite.
+/// \throws std::invalid_argument where the sample period is not in [0.0001, 1] s or a force is not finite.
 core::Episode FromMessage(const Episode& message);
 /// The message of an episode.
 Episode ToMessage(const core::Episode& episode);

@@ -1,0 +1,69 @@
+#include "cli/command.h"
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+
+#include "cli/text.h"
+
+namespace contact_shapelets::cli {
+
+namespace po = boost::program_options;
+
+int RunCommand(const Command& command, const std::vector<std::string>& arguments) {
+  po::options_description shown = command.options;
+  shown.add_options()("help,h", "Prints this");
+  po::options_description all;
+  all.add(shown).add(command.places);
+  po::variables_map values;
+  try {
+    po::store(po::command_line_parser(arguments)
+                  .options(all)
+                  .positional(command.positional)
+                  // Whole names alone: an abbreviation in somebody's script would break with the next option.
+                  .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+                  .run(),
+              values);
+    if (values.count("help") > 0) {
+      std::cout << command.description << "\nUsage: shapelets " << command.name << ' ' << command.usage << '\n'
+                << shown;
+      return 0;
+    }
+    po::notify(values);
+  } catch (const po::required_option& missing) {
+    const std::string option = missing.get_option_name();
+    throw UsageError(command.name + ": expected " + command.usage + ", but " +
+                     option.substr(option.find_first_not_of('-')) + " is missing");
+  } catch (const po::error& error) {
+    throw UsageError(command.name + ": " + error.what());
+  }
+  return command.run();
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& option, const std::string& text) {
+  std::vector<std::string> names;
+  // A comma at the end, too, has a name behind it that is empty.
+  std::istringstream stream(text + ',');
+  for (std::string name; std::getline(stream, name, ',');) {
+    if (name.empty()) throw UsageError(option + " must be names with commas between them, but is \"" + text + '"');
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::function<void(const std::string&)> OneOf(const std::string& option, const std::vector<std::string>& words) {
+  return [option, words](const std::string& value) {
+    if (std::find(words.begin(), words.end(), value) != words.end()) return;
+    throw UsageError(option + " must be one of " + Joined(words, ", ") + ", but is " + value);
+  };
+}
+
+std::function<void(int)> InRange(const std::string& option, int least, int greatest) {
+  return [option, least, greatest](int value) {
+    if (value >= least && value <= greatest) return;
+    throw UsageError(option + " must be from " + std::to_string(least) + " to " + std::to_string(greatest) +
+                     ", but is " + std::to_string(value));
+  };
+}
+
+}  // namespace contact_shapelets::cli
