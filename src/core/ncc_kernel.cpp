@@ -13,7 +13,6 @@ namespace contact_shapelets::core {
 namespace {
 
 using tile::kGroup;
-using tile::kPair;
 
 /// What a value must exceed the best by, so that rounding is not taken for a better match again and again.
 constexpr float kMargin = 2e-6F;
@@ -29,12 +28,11 @@ tile::Energies Whole() {
 }
 
 /// CC_w of one window, by the definition, in double precision.
-double Evaluate(const WindowSet& windows, const float* shapelet, int window, int shift) {
+double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float* shapelet, int window, int shift) {
   const int length = windows.length();
-  const int overlap = length - std::abs(shift);
-  const Eigen::Map<const Eigen::VectorXf> values(shapelet + std::max(0, -shift), overlap);
-  const auto samples = windows.series().segment(window + std::max(0, shift), overlap);
-  const double sum = values.cast<double>().dot((samples.cast<double>().array() - windows.mean()[window]).matrix());
+  const double sum =
+      loops.correlation(shapelet + std::max(0, -shift), windows.series().data() + window + std::max(0, shift),
+                        windows.mean()[window], length - std::abs(shift));
   return sum * windows.inverse_deviation()[window] / length;
 }
 
@@ -63,18 +61,16 @@ class Search {
       for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
         for (const int window : block.hard()) SearchInDouble(k, window);
       }
-      for (int pair = 0; pair < kGroup; pair += kPair) {
-        if (group * kGroup + pair >= shapelets_.count()) break;
-        TakePartialOverlaps(block, group, pair, 1, stride, sums.data(), prune);
-        TakePartialOverlaps(block, group, pair, -1, stride, sums.data(), prune);
-      }
+      TakePartialOverlaps(block, group, 1, stride, sums.data(), prune);
+      TakePartialOverlaps(block, group, -1, stride, sums.data(), prune);
     }
   }
 
  private:
   void Offer(int k, int window, int shift) {
     if (prepared_.constant[k]) return;
-    const auto value = static_cast<float>(Evaluate(windows_, shapelets_.normalised().col(k).data(), window, shift));
+    const auto value =
+        static_cast<float>(Evaluate(loops_, windows_, shapelets_.normalised().col(k).data(), window, shift));
     if (value > matches_[k].similarity) matches_[k] = {value, window, shift};
   }
 
@@ -113,38 +109,43 @@ class Search {
   }
 
   /// `direction` is 1 for shifts w > 0 and -1 for w < 0.
-  void TakePartialOverlaps(const PreparedWindows& block, int group, int pair, int direction, int stride,
-                           const float* sums, bool prune) {
+  void TakePartialOverlaps(const PreparedWindows& block, int group, int direction, int stride, const float* sums,
+                           bool prune) {
     const int length = prepared_.length;
     const OverlapSide& side = direction > 0 ? prepared_.prefix : prepared_.suffix;
     tile::PartialArguments arguments{};
-    arguments.values = &side.values(pair, length * group);
-    arguments.within = &side.within(pair, length * group);
-    arguments.energies = prune ? &side.energies[static_cast<std::size_t>(group * kGroup + pair)] : whole_.data();
+    arguments.values = &side.values(0, length * group);
+    arguments.within = &side.within(0, length * group);
+    arguments.energies = prune ? &side.energies[static_cast<std::size_t>(group * kGroup)] : whole_.data();
     arguments.samples = block.series() + (direction > 0 ? 0 : length - 1);
     arguments.mean = block.mean() - direction * length;
     arguments.spread = block.spread() - direction * length;
     arguments.scale = block.scale() - direction * length;
-    arguments.sums = sums + pair * stride;
-    arguments.largest = largest_.data() + pair;
+    arguments.sums = sums;
+    arguments.largest = largest_.data();
     arguments.bounds = block.bounds(direction);
     arguments.length = length;
     arguments.block = prepared_.block;
     arguments.direction = direction;
     arguments.stride = stride;
     arguments.full_tiles = block.full_tiles();
-    const int k = group * kGroup + pair;
-    for (int i = 0; i < kPair; ++i) arguments.best[i] = Threshold(k + i);
+    const int k = group * kGroup;
+    arguments.count = std::min(kGroup, shapelets_.count() - k);
+    for (int i = 0; i < kGroup; ++i) arguments.best[i] = Threshold(k + i);
     const int begin = direction > 0 ? 0 : -block.further_tiles();
     const int end = direction > 0 ? block.full_tiles() + block.further_tiles() : block.full_tiles();
-    for (int tile = loops_.find_better(arguments, begin, end); tile < end;
-         tile = loops_.find_better(arguments, tile + 1, end)) {
-      TakeTile(block, k, direction, tile, &arguments);
+    unsigned better = 0;
+    for (int tile = loops_.find_better(arguments, begin, end, &better); tile < end;
+         tile = loops_.find_better(arguments, tile + 1, end, &better)) {
+      TakeTile(block, k, direction, tile, better, &arguments);
     }
   }
 
-  void TakeTile(const PreparedWindows& block, int k, int direction, int tile, tile::PartialArguments* arguments) {
-    for (int i = 0; i < kPair; ++i) {
+  /// Takes the best values of a tile's shapelets whose bit in `better` is set.
+  void TakeTile(const PreparedWindows& block, int k, int direction, int tile, unsigned better,
+                tile::PartialArguments* arguments) {
+    for (int i = 0; i < kGroup; ++i) {
+      if ((better >> i & 1U) == 0) continue;
       tile::TileResult result;
       loops_.most_in_tile(*arguments, i, tile, &result);
       if (result.value <= arguments->best[i]) continue;
@@ -158,7 +159,7 @@ class Search {
   const WindowSet& windows_;
   const ShapeletSet& shapelets_;
   const PreparedShapelets& prepared_;
-  const std::array<tile::Energies, kPair> whole_{Whole(), Whole()};
+  const std::array<tile::Energies, kGroup> whole_{Whole(), Whole(), Whole(), Whole()};
   std::vector<float> largest_;  ///< full overlap of a group in each tile, interleaved
   std::vector<Match>& matches_;
 };
@@ -175,9 +176,8 @@ void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, con
   std::vector<Match> found(static_cast<std::size_t>(shapelets.count()));
   Search search(loops, windows, shapelets, &found);
   search.TakeHints(hints);
-  const int stretch = std::max(1024, 4 * length);
-  for (int first = 0; first < windows.window_count() && windows.usable_window_count() > 0; first += stretch) {
-    search.Run(first, std::min(stretch, windows.window_count() - first), options.prune);
+  for (const WindowStretch& stretch : windows.stretches()) {
+    search.Run(stretch.first, stretch.count, options.prune);
   }
   *matches = std::move(found);
 }

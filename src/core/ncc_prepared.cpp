@@ -17,44 +17,19 @@ constexpr float kNever = 1e30F;
 /// A bound that prunes nothing.
 constexpr float kUnbounded = 8.0F;
 
-/// The largest of neighbouring values, in a few steps whatever their number; values beyond the ends are 0.
-class SlidingMaxima {
- public:
-  SlidingMaxima(int count, int margin) : count_(count), margin_(margin), maxima_(count + 2 * margin) {
-    maxima_.setZero();
-  }
-
-  /// Where `count` values are to be written before Slide().
-  float* values() { return maxima_.data() + margin_; }
-  /// Turns each value into the largest of itself and the kSpan - 1 behind it.
-  void Slide() {
-    std::fill_n(values() + count_, kSpan, 0.0F);
-    maxima_.segment(margin_ - kSpan, kSpan).setZero();
-    const Eigen::Index first = margin_ - kSpan;
-    const Eigen::Index size = count_ + kSpan;
-    for (int step = 1; step < kSpan; step *= 2) {
-      maxima_.segment(first, size) = maxima_.segment(first, size).max(maxima_.segment(first + step, size));
-    }
-  }
-  /// The largest value of `count` >= kSpan ones from `first` on, these no farther than the margin from the ends.
-  float Largest(int first, int count) const {
-    const float* from = maxima_.data() + margin_ + first;
-    float largest = from[count - kSpan];
-    for (int at = 0; at < count - kSpan; at += kSpan) largest = std::max(largest, from[at]);
-    return largest;
-  }
-
- private:
-  static constexpr int kSpan = 8;
-
-  int count_;
-  int margin_;
-  Eigen::ArrayXf maxima_;
-};
+/// Columns of PreparedWindows beside those that have a function: sums before a sample, and scratch.
+constexpr int kSums = 4;
+constexpr int kSquares = 5;
+constexpr int kHeads = 6;
+constexpr int kTails = 7;
+constexpr int kEnergyScale = 8;
+constexpr int kBeforeWindow = 9;
+constexpr int kToWindowEnd = 10;
+constexpr int kColumns = 11;
 
 /// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the
 /// most.
-int BlockSize(int length) { return std::max(std::clamp(length / 8, 2, 8), (length - 2) / tile::kBlocks + 1); }
+int BlockSize(int length) { return std::max(std::clamp(length / 8, 4, 8), (length - 2) / tile::kBlocks + 1); }
 
 OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eigen::MatrixXf>& normalised,
                    bool reverse) {
@@ -104,97 +79,78 @@ PreparedWindows::PreparedWindows(const tile::Loops& loops, const WindowSet& wind
       tile_(loops.positions),
       further_tiles_((length_ - 1 + tile_ - 1) / tile_),
       margin_(length_ + 2 * kPadding),
-      block_(block) {
-  FillWindows(windows);
+      block_(block),
+      values_(Eigen::ArrayXXf::Zero(count + length_ - 1 + 2 * margin_, kColumns)),
+      bounds_(static_cast<std::size_t>(2 * all_tiles())) {
+  FillSeries(windows);
+  FillWindows(loops, windows);
   FillBounds(loops, prune);
 }
 
-void PreparedWindows::FillWindows(const WindowSet& windows) {
+void PreparedWindows::FillSeries(const WindowSet& windows) {
   const int samples = count_ + length_ - 1;
-  const int size = samples + 2 * margin_;
-  const Eigen::ArrayXd part = windows.series().segment(first_, samples).cast<double>();
-  const double centre = part.mean();
-  series_.setZero(size);
-  series_.segment(margin_, samples) = (part - centre).cast<float>();
-  sums_.setZero(size);
-  squares_.setZero(size);
+  const auto part = windows.series().segment(first_, samples);
+  centre_ = part.cast<double>().mean();
+  float* series = Column(0);
+  float* sums = Column(kSums);
+  float* squares = Column(kSquares);
   double sum = 0.0;
   double square = 0.0;
   for (int q = 0; q < samples; ++q) {
-    const double value = part[q] - centre;
+    const double value = static_cast<double>(part[q]) - centre_;
+    series[q] = static_cast<float>(value);
     sum += value;
     square += value * value;
-    sums_[margin_ + q + 1] = static_cast<float>(sum);
-    squares_[margin_ + q + 1] = static_cast<float>(square);
+    sums[q + 1] = static_cast<float>(sum);
+    squares[q + 1] = static_cast<float>(square);
   }
-  sums_.tail(margin_ - 1).setConstant(static_cast<float>(sum));
-  squares_.tail(margin_ - 1).setConstant(static_cast<float>(square));
+  values_.col(kSums).tail(margin_ - 1).setConstant(static_cast<float>(sum));
+  values_.col(kSquares).tail(margin_ - 1).setConstant(static_cast<float>(square));
+}
 
-  mean_.setZero(size);
-  spread_.setConstant(size, kNever);
-  scale_.setZero(size);
+void PreparedWindows::FillWindows(const tile::Loops& loops, const WindowSet& windows) {
+  values_.col(2).setConstant(kNever);
+  tile::WindowArguments arguments{};
+  arguments.mean = windows.mean().data() + first_;
+  arguments.inverse = windows.inverse_deviation().data() + first_;
+  arguments.squares = Column(kSquares);
+  arguments.centre = centre_;
+  arguments.hard_ratio = kHardRatio * kHardRatio;
+  arguments.length = length_;
+  arguments.count = count_;
+  arguments.centred_mean = Column(1);
+  arguments.spread = Column(2);
+  arguments.scale = Column(3);
+  if (loops.window_values(arguments) == 0) return;
   for (int j = 0; j < count_; ++j) {
-    const double inverse = windows.inverse_deviation()[first_ + j];
-    if (inverse == 0.0) continue;
-    // All values that a sum at a position near this window can hold.
-    const int begin = std::max(0, j - length_);
-    const int end = std::min(samples, j + 2 * length_);
-    if (inverse * inverse * (squares_[margin_ + end] - squares_[margin_ + begin]) > kHardRatio * kHardRatio) {
-      hard_.push_back(first_ + j);
-      continue;
-    }
-    mean_[margin_ + j] = static_cast<float>(windows.mean()[first_ + j] - centre);
-    spread_[margin_ + j] = static_cast<float>(length_ / inverse);
-    scale_[margin_ + j] = static_cast<float>(inverse / length_);
+    if (scale()[j] == 0.0F && !windows.IsFlat(first_ + j)) hard_.push_back(first_ + j);
   }
 }
 
 void PreparedWindows::FillBounds(const tile::Loops& loops, bool prune) {
-  const int tiles = full_tiles() + 2 * further_tiles_;
-  const Eigen::ArrayXf energy_scale = scale_.square() * static_cast<float>(length_);
   // The sums are rounded to 6e-8 of themselves. By Cauchy and Schwarz, a product of a mean and a sum is under the
   // squares' sum times the root of how often the window fits.
-  const float squares = squares_[squares_.size() - 1];
-  const float rounding = 1e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
-  tile::EnergyArguments arguments{
-      sums_.data() + margin_, squares_.data() + margin_, mean(), energy_scale.data() + margin_, rounding, 0, 0, count_};
-  SlidingMaxima scales(count_, margin_);
-  std::copy_n(this->scale(), count_, scales.values());
-  scales.Slide();
-  SlidingMaxima heads(count_, margin_);
-  SlidingMaxima tails(count_, margin_);
-  const auto fill = [&](SlidingMaxima* maxima, int first, int samples) {
-    if (prune) {
-      arguments.first = first;
-      arguments.samples = samples;
-      loops.window_energies(arguments, maxima->values());
-    } else {
-      std::fill_n(maxima->values(), count_, kUnbounded);
-    }
-    maxima->Slide();
-  };
-  prefix_bounds_.resize(static_cast<std::size_t>(tiles));
-  suffix_bounds_.resize(prefix_bounds_.size());
-  for (int block = 0; block * block_ < length_ - 1; ++block) {
-    const int least = block * block_ + 1;
-    const int most = std::min((block + 1) * block_, length_ - 1);
-    const int span = tile_ + most - least;
-    const auto bound = [&](std::vector<tile::Bounds>* bounds, int from) {
-      for (int tile = 0; tile < tiles; ++tile) {
-        const int window = (tile - further_tiles_) * tile_ + from;
-        tile::Bounds& entry = (*bounds)[static_cast<std::size_t>(tile)];
-        entry.head[block] = heads.Largest(window, span);
-        entry.tail[block] = tails.Largest(window, span);
-        entry.scale[block] = scales.Largest(window, span);
-      }
-    };
-    fill(&heads, length_ - most, most);
-    fill(&tails, length_, length_ - least);
-    bound(&prefix_bounds_, least - length_);
-    fill(&heads, 0, most);
-    fill(&tails, least - length_, length_ - least);
-    bound(&suffix_bounds_, length_ - most);
-  }
+  const float squares = values_(values_.rows() - 1, kSquares);
+  tile::BoundArguments arguments{};
+  arguments.sums = Column(kSums);
+  arguments.squares = Column(kSquares);
+  arguments.mean = mean();
+  arguments.scale = scale();
+  arguments.rounding = 2e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
+  arguments.unbounded = prune ? 0.0F : kUnbounded;
+  arguments.length = length_;
+  arguments.block = block_;
+  arguments.count = count_;
+  arguments.further_tiles = further_tiles_;
+  arguments.tiles = all_tiles();
+  arguments.heads = Column(kHeads);
+  arguments.tails = Column(kTails);
+  arguments.energy_scale = Column(kEnergyScale);
+  arguments.before_window = Column(kBeforeWindow);
+  arguments.to_window_end = Column(kToWindowEnd);
+  arguments.prefix = bounds_.data();
+  arguments.suffix = bounds_.data() + all_tiles();
+  loops.all_bounds(arguments);
 }
 
 }  // namespace contact_shapelets::core

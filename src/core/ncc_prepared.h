@@ -46,17 +46,21 @@ class PreparedWindows {
   /// Windows too close to their rounding for single precision, counted from the first one of the set.
   const std::vector<int>& hard() const { return hard_; }
 
-  const float* series() const { return series_.data() + margin_; }
-  const float* mean() const { return mean_.data() + margin_; }
-  const float* spread() const { return spread_.data() + margin_; }
-  const float* scale() const { return scale_.data() + margin_; }
+  const float* series() const { return Column(0); }
+  const float* mean() const { return Column(1); }
+  const float* spread() const { return Column(2); }
+  const float* scale() const { return Column(3); }
   /// Bounds by tile for the overlaps of a direction, 1 or -1.
   const tile::Bounds* bounds(int direction) const {
-    return (direction > 0 ? prefix_bounds_ : suffix_bounds_).data() + further_tiles_;
+    return bounds_.data() + further_tiles_ + (direction > 0 ? 0 : all_tiles());
   }
 
  private:
-  void FillWindows(const WindowSet& windows);
+  int all_tiles() const { return full_tiles() + 2 * further_tiles_; }
+  const float* Column(int index) const { return &values_(margin_, index); }
+  float* Column(int index) { return &values_(margin_, index); }
+  void FillSeries(const WindowSet& windows);
+  void FillWindows(const tile::Loops& loops, const WindowSet& windows);
   void FillBounds(const tile::Loops& loops, bool prune);
 
   int length_;
@@ -66,14 +70,10 @@ class PreparedWindows {
   int further_tiles_;
   int margin_;  ///< what positions may jut out
   int block_;
-  Eigen::ArrayXf series_;
-  Eigen::ArrayXf mean_;
-  Eigen::ArrayXf spread_;
-  Eigen::ArrayXf scale_;
-  Eigen::ArrayXf sums_;  ///< of the centred values before a sample, in the same places as the series
-  Eigen::ArrayXf squares_;
-  std::vector<tile::Bounds> prefix_bounds_;
-  std::vector<tile::Bounds> suffix_bounds_;
+  double centre_ = 0.0;
+  Eigen::ArrayXXf values_;  ///< by position or window in columns, all with a margin on both sides: see the functions
+                            ///< above; then the sums and squared sums before a sample, and scratch
+  std::vector<tile::Bounds> bounds_;
   std::vector<int> hard_;
 };
 

@@ -12,10 +12,8 @@
 
 namespace contact_shapelets::core::tile {
 
-/// Shapelets whose values are interleaved, sample by sample, and that share a pass of full overlaps.
+/// Shapelets whose values are interleaved, sample by sample, and that share a pass of overlaps.
 constexpr int kGroup = 4;
-/// Shapelets of a group that share a pass of partial overlaps.
-constexpr int kPair = 2;
 /// Readable floats that arrays by position or window have before their first and behind their last used value.
 constexpr int kPadding = 64;
 
@@ -53,7 +51,7 @@ struct Energies {
   float tail[kBlocks];  ///< the largest part without
 };
 
-/// Partial overlaps of a pair of shapelets.
+/// Partial overlaps of a group of shapelets.
 struct PartialArguments {
   const float* values;       ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
   const float* within;       ///< by overlap from 0: the sum of the shapelet's values within, interleaved
@@ -66,11 +64,12 @@ struct PartialArguments {
   const Energies* energies;  ///< of the shapelets
   const Bounds* bounds;      ///< by tile
   int length;                ///< M
+  int count;                 ///< shapelets in the group
   int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
   int direction;
-  int stride;         ///< between the shapelets in `sums`
-  int full_tiles;     ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
-  float best[kPair];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
+  int stride;          ///< between the shapelets in `sums`
+  int full_tiles;      ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  float best[kGroup];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
 };
 /// A value, and where it is.
 struct TileResult {
@@ -79,16 +78,40 @@ struct TileResult {
   int overlap;
 };
 
+/// Windows in the form that the loops take; arrays by window begin at the first one of the stretch.
+struct WindowArguments {
+  const double* mean;     ///< mu
+  const double* inverse;  ///< 1 / sigma; 0 where a window does not count
+  const float* squares;   ///< by q, the sum of the squares of the first q samples
+  double centre;          ///< what the series was centred by
+  double hard_ratio;      ///< energy near a window over its variance that is too much for single precision
+  int length;             ///< M
+  int count;              ///< windows
+  float* centred_mean;    ///< to be filled where a window counts and is not hard, as `spread` and `scale` are
+  float* spread;          ///< M sigma
+  float* scale;           ///< 1 / (M sigma)
+};
+
 /// What makes the table of bounds: sums over the first q samples of a series, and the windows.
-struct EnergyArguments {
+struct BoundArguments {
   const float* sums;     ///< of the values, by q
   const float* squares;  ///< of their squares, by q
   const float* mean;     ///< mu by window
-  const float* scale;    ///< 1 / (M sigma^2) by window; 0 where a window does not count
+  const float* scale;    ///< 1 / (M sigma) by window; 0 where a window does not count
   float rounding;        ///< what these sums may be off by, in the unit of the squares
-  int first;             ///< sample, counted from the beginning of each window
-  int samples;           ///< from there on
-  int count;             ///< windows, rounded up to whole vectors
+  float unbounded;       ///< 0, or an energy that is put in place of all: nothing is pruned
+  int length;            ///< M
+  int block;             ///< overlaps in a block
+  int count;             ///< windows
+  int further_tiles;     ///< tiles before position 0 and behind the last window's
+  int tiles;             ///< with these
+  float* heads;          ///< scratch by window, zeros beyond the windows, as far as the bounds reach
+  float* tails;          ///< the same
+  float* energy_scale;   ///< scratch by window, without such zeros
+  float* before_window;  ///< the same
+  float* to_window_end;  ///< the same
+  Bounds* prefix;        ///< by tile, from the first one: overlaps of the shapelet's first samples, w > 0
+  Bounds* suffix;        ///< the same of its last samples
 };
 
 /// The loops for one instruction set.
@@ -96,12 +119,16 @@ struct Loops {
   const char* name;
   int positions;  ///< in a tile
   void (*full_overlaps)(const FullArguments& arguments, FullResult* result);
-  /// The first tile of tile ... end - 1 in which a shapelet of the pair exceeds its `best`; `end` where there is none.
-  int (*find_better)(const PartialArguments& arguments, int tile, int end);
-  /// The largest value of one shapelet of the pair in a tile, among those that the bounds leave.
+  /// The first tile of tile ... end - 1 in which a shapelet of the group exceeds its `best`, and a bit in `better` for
+  /// each that does; `end` where there is none.
+  int (*find_better)(const PartialArguments& arguments, int tile, int end, unsigned* better);
+  /// The largest value of one shapelet of the group in a tile, among those that the bounds leave.
   void (*most_in_tile)(const PartialArguments& arguments, int shapelet, int tile, TileResult* result);
-  /// energies[j] = sum (t - mu_j)^2 scale_j over the given samples of window j, or a little more.
-  void (*window_energies)(const EnergyArguments& arguments, float* energies);
+  /// sum (t_m - mean) s_m over `count` samples, in double precision.
+  double (*correlation)(const float* shapelet, const float* samples, double mean, int count);
+  /// Returns how many windows are hard: these are left out, and so are those that do not count.
+  int (*window_values)(const WindowArguments& arguments);
+  void (*all_bounds)(const BoundArguments& arguments);
 };
 
 /// What every machine of this architecture runs.

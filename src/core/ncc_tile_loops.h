@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/ncc_tile.h"
+#include "core/ncc_tile_prepare.h"
+#include "core/ncc_tile_vector.h"
 
 // Everything is in an unnamed namespace, since each instruction set has a copy of its own.
 
@@ -10,99 +12,91 @@ namespace {
 /// `Lanes` floats that one instruction works on, and vectors of them per shapelet in registers.
 template <int Lanes, int Vectors>
 struct TileLoops {
-  typedef float Vector __attribute__((vector_size(Lanes * sizeof(float))));
-  typedef int Integers __attribute__((vector_size(Lanes * sizeof(int))));
+  using Of = VectorOf<Lanes>;
+  using Vector = typename Of::Floats;
+  using Integers = typename Of::Integers;
   static constexpr int kPositions = Lanes * Vectors;
+  /// Tiles that share a pass of full overlaps: as many as the registers hold.
+  static constexpr int kFullTiles = Lanes == 16 ? 2 : 1;
+  /// Shapelets that share a pass of partial overlaps: as many as the registers hold.
+  static constexpr int kTogether = Lanes == 16 ? 4 : 2;
   /// A full overlap that may be anything.
   static constexpr float kUnknown = 1e30F;
-  static constexpr int kBits[kBlocks] = {1,      1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                                         1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
   static_assert(kPositions <= kPadding, "tiles reach beyond the padding");
 
-  template <typename Type>
-  static Type Load(const void* from) {
-    Type vector;
-    __builtin_memcpy(&vector, from, sizeof(vector));
-    return vector;
-  }
-  static Vector Load(const float* from) { return Load<Vector>(from); }
-  template <typename Type>
-  static void Store(void* to, Type vector) {
-    __builtin_memcpy(to, &vector, sizeof(vector));
-  }
-
-  /// The bits that any lane has.
-  static unsigned Combined(Integers vector) {
-    unsigned long long parts[Lanes / 2];
-    Store(parts, vector);
-    unsigned long long bits = 0;
-    for (const unsigned long long part : parts) bits |= part;
-    return static_cast<unsigned>(bits | (bits >> 32));
-  }
-
-  /// The largest lane, at least 0.
-  static float Largest(Vector vector) {
-    float values[Lanes];
-    Store(values, vector);
-    float largest = 0.0F;
-    for (const float value : values) largest = value > largest ? value : largest;
-    return largest;
-  }
+  static Vector Load(const float* from) { return Of::template Load<Vector>(from); }
 
   static bool AnyCounts(const float* scale) {
-    Vector sum = Load(scale);
-    for (int v = 1; v < Vectors; ++v) sum += Load(scale + v * Lanes);
-    return Largest(sum) > 0.0F;
+    Vector largest = Load(scale);
+    for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, Load(scale + v * Lanes));
+    return Of::Signs(largest > 0.0F) != 0;
+  }
+
+  /// The largest full overlaps of a group over all windows so far, lane by lane.
+  struct Most {
+    Vector value[kGroup];
+    Integers position[kGroup];
+  };
+
+  /// Full overlaps of `Tiles` tiles from `position` on, whose windows count.
+  template <int Tiles>
+  static void FullTiles(const FullArguments& arguments, int position, Most* most) {
+    constexpr int kVectors = Tiles * Vectors;
+    Vector sum[kGroup][kVectors] = {};
+    for (int m = 0; m < arguments.length; ++m) {
+      Vector values[kGroup];
+      for (int i = 0; i < kGroup; ++i) values[i] = Of::Spread(arguments.shapelets[kGroup * m + i]);
+#pragma GCC unroll 4
+      for (int v = 0; v < kVectors; ++v) {
+        const Vector samples = Of::LoadOnce(arguments.series + position + m + v * Lanes);
+        for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
+      }
+    }
+#pragma GCC unroll 4
+    for (int v = 0; v < kVectors; ++v) {
+      const Vector scale = Load(arguments.scale + position + v * Lanes);
+      for (int i = 0; i < kGroup; ++i) {
+        Of::Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
+        const Vector value = sum[i][v] * scale;
+        const Integers greater = value > most->value[i];
+        most->value[i] = greater ? value : most->value[i];
+        most->position[i] = greater ? Integers{} + (position + v * Lanes) : most->position[i];
+      }
+    }
+    for (int tile = 0; tile < Tiles; ++tile) {
+      for (int i = 0; i < kGroup; ++i) {
+        Vector largest = sum[i][tile * Vectors];
+        for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][tile * Vectors + v]);
+        const float value = Of::Largest(largest);
+        arguments.largest[(position / kPositions + tile) * kGroup + i] = value > 0.0F ? value : 0.0F;
+      }
+    }
   }
 
   static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
-    Vector most[kGroup] = {};
-    Integers at[kGroup];
-    for (Integers& where : at) where = Integers{} - 1;
-    int numbers[Lanes];
-    for (int lane = 0; lane < Lanes; ++lane) numbers[lane] = lane;
-    const Integers lanes = Load<Integers>(numbers);
+    Most most;
+    for (int i = 0; i < kGroup; ++i) most.value[i] = Vector{}, most.position[i] = Integers{};
     for (int position = 0; position < arguments.count; position += kPositions) {
       if (!AnyCounts(arguments.scale + position)) {
         for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
         continue;
       }
-      Vector sum[kGroup][Vectors] = {};
-      for (int m = 0; m < arguments.length; ++m) {
-        const float* values = arguments.shapelets + kGroup * m;
-        for (int v = 0; v < Vectors; ++v) {
-          const Vector samples = Load(arguments.series + position + m + v * Lanes);
-          for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
-        }
-      }
-      for (int v = 0; v < Vectors; ++v) {
-        const Vector scale = Load(arguments.scale + position + v * Lanes);
-        for (int i = 0; i < kGroup; ++i) {
-          Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
-          const Vector value = sum[i][v] * scale;
-          const Integers greater = value > most[i];
-          most[i] = greater ? value : most[i];
-          at[i] = greater ? lanes + (position + v * Lanes) : at[i];
-        }
-      }
-      for (int i = 0; i < kGroup; ++i) {
-        Vector largest = sum[i][0];
-        for (int v = 1; v < Vectors; ++v) largest = sum[i][v] > largest ? sum[i][v] : largest;
-        arguments.largest[position / kPositions * kGroup + i] = Largest(largest);
+      const int next = position + kPositions;
+      if (kFullTiles == 2 && next < arguments.count && AnyCounts(arguments.scale + next)) {
+        FullTiles<kFullTiles>(arguments, position, &most);
+        position = next;
+      } else {
+        FullTiles<1>(arguments, position, &most);
       }
     }
     for (int i = 0; i < kGroup; ++i) {
-      result->most[i] = 0.0F;
+      result->most[i] = Of::Largest(most.value[i]);
       result->position[i] = -1;
-      float values[Lanes];
+      if (result->most[i] <= 0.0F) continue;
+      const int lane = __builtin_ctz(Of::Signs(most.value[i] == result->most[i]));
       int positions[Lanes];
-      Store(values, most[i]);
-      Store(positions, at[i]);
-      for (int lane = 0; lane < Lanes; ++lane) {
-        if (values[lane] <= result->most[i]) continue;
-        result->most[i] = values[lane];
-        result->position[i] = positions[lane];
-      }
+      Of::Store(positions, most.position[i]);
+      result->position[i] = positions[lane] + lane;
     }
   }
 
@@ -116,116 +110,150 @@ struct TileLoops {
     return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
-  /// The overlaps of a tile at which a shapelet of the pair can exceed its best. By Cauchy and Schwarz, the value is at
-  /// most the root of the energies of both within the overlap; and it differs from the full overlap at the same
-  /// position, measured by the same window, at most by the root of the energies of both without.
-  static Range UsefulOverlaps(const PartialArguments& arguments, int shapelet, int tile) {
+  /// A bit for each block of overlaps of a tile in which a shapelet can exceed its best. By Cauchy and Schwarz, the
+  /// value is at most the root of the energies of both within the overlap; and it differs from the full overlap at the
+  /// same position, measured by the same window, at most by the root of the energies of both without.
+  static unsigned UsefulBlocks(const PartialArguments& arguments, int shapelet, int tile, bool has_full) {
     const Bounds& bounds = arguments.bounds[tile];
     const Energies& energies = arguments.energies[shapelet];
     const float best = arguments.best[shapelet];
-    const bool has_full = HasFullOverlaps(arguments, tile);
     const float full = has_full ? arguments.largest[kGroup * tile + shapelet] : kUnknown;
-    Integers useful = {};
+    unsigned useless = 0;
     for (int block = 0; block < kBlocks; block += Lanes) {
+      const Vector head = Load(energies.head + block) * Load(bounds.head + block) - best * best;
       const Vector rest = best - full * Load(bounds.scale + block);
-      const Integers near = (rest <= 0.0F) | (Load(energies.tail + block) * Load(bounds.tail + block) > rest * rest);
-      const Integers strong = Load(energies.head + block) * Load(bounds.head + block) > Vector{} + best * best;
-      useful |= near & strong & Load<Integers>(kBits + block);
+      const Vector tail = Of::Larger(Load(energies.tail + block) * Load(bounds.tail + block) - rest * rest, -rest);
+      // The sign of the smaller one says that one of the bounds is below the best.
+      useless |= Of::Signs((Integers)(head < tail ? head : tail)) << block;
     }
-    const unsigned bits = Combined(useful);
-    if (bits == 0) return {1, 0};
-    const int low = __builtin_ctz(bits);
-    const int high = 31 - __builtin_clz(bits);
-    const int last = (high + 1) * arguments.block;
-    return {low * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
+    return ~useless & ((1U << kBlocks) - 1U);
   }
 
-  /// Sums of `Shapelets` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
-  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
-  template <int Shapelets>
-  struct Sums {
-    Vector turned[Shapelets][Vectors];
+  static Range OverlapsOf(const PartialArguments& arguments, unsigned blocks) {
+    const int last = (32 - __builtin_clz(blocks)) * arguments.block;
+    return {__builtin_ctz(blocks) * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
+  }
 
-    void Add(const PartialArguments& arguments, int shapelet, int position, int overlap) {
-      const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
+  /// Some shapelets of a group, by their index in it.
+  template <int Count>
+  struct Members {
+    int index[Count];
+  };
+
+  /// Sums of `Count` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
+  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
+  template <int Count>
+  struct Sums {
+    Vector turned[Count][Vectors];
+
+    template <bool Add>
+    void Change(const PartialArguments& arguments, const Members<Count>& members, int position, int overlap) {
+      const float* values = arguments.values + kGroup * (overlap - 1);
       const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
+      Vector value[Count];
+      for (int i = 0; i < Count; ++i) value[i] = Of::Spread(values[members.index[i]]);
       for (int v = 0; v < Vectors; ++v) {
-        const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] -= values[i] * sample;
-      }
-    }
-    void Remove(const PartialArguments& arguments, int shapelet, int position, int overlap) {
-      const float* values = arguments.values + kGroup * (overlap - 1) + shapelet;
-      const float* samples = arguments.samples + position + arguments.direction * (overlap - 1);
-      for (int v = 0; v < Vectors; ++v) {
-        const Vector sample = Load(samples + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) turned[i][v] += values[i] * sample;
+        const Vector sample = Of::LoadOnce(samples + v * Lanes);
+        for (int i = 0; i < Count; ++i) {
+          turned[i][v] = Add ? turned[i][v] - value[i] * sample : turned[i][v] + value[i] * sample;
+        }
       }
     }
   };
 
   /// Calls `evaluate` at every overlap of the range, in the direction that takes fewer steps to reach it.
-  template <int Shapelets, typename Evaluate>
-  static void Walk(const PartialArguments& arguments, int shapelet, int tile, Range range, Evaluate evaluate) {
+  template <int Count, typename Evaluate>
+  static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
+                   Evaluate evaluate) {
     const int position = tile * kPositions;
-    Sums<Shapelets> sums{};
+    Sums<Count> sums{};
     if (HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low) {
-      for (int i = 0; i < Shapelets; ++i) {
+      for (int i = 0; i < Count; ++i) {
         for (int v = 0; v < Vectors; ++v) {
-          sums.turned[i][v] = -Load(arguments.sums + (shapelet + i) * arguments.stride + position + v * Lanes);
+          sums.turned[i][v] = -Load(arguments.sums + members.index[i] * arguments.stride + position + v * Lanes);
         }
       }
       for (int overlap = arguments.length; overlap > range.high + 1; --overlap) {
-        sums.Remove(arguments, shapelet, position, overlap);
+        sums.template Change<false>(arguments, members, position, overlap);
       }
       for (int overlap = range.high; overlap >= range.low; --overlap) {
-        sums.Remove(arguments, shapelet, position, overlap + 1);
+        sums.template Change<false>(arguments, members, position, overlap + 1);
         evaluate(sums, position + arguments.direction * overlap, overlap);
       }
     } else {
-      for (int overlap = 1; overlap < range.low; ++overlap) sums.Add(arguments, shapelet, position, overlap);
+      for (int overlap = 1; overlap < range.low; ++overlap) {
+        sums.template Change<true>(arguments, members, position, overlap);
+      }
       for (int overlap = range.low; overlap <= range.high; ++overlap) {
-        sums.Add(arguments, shapelet, position, overlap);
+        sums.template Change<true>(arguments, members, position, overlap);
         evaluate(sums, position + arguments.direction * overlap, overlap);
       }
     }
   }
 
-  /// The sign of best M sigma - (A - mu S) tells whether the value exceeds the best: signs are collected by an OR,
-  /// which leaves the units that multiply and add to the sums.
-  template <int Shapelets>
-  static bool AnyBetter(const PartialArguments& arguments, int shapelet, int tile, Range range) {
-    Integers signs = {};
-    Vector best[Shapelets];
-    for (int i = 0; i < Shapelets; ++i) best[i] = Vector{} + arguments.best[shapelet + i];
-    Walk<Shapelets>(arguments, shapelet, tile, range, [&](const Sums<Shapelets>& sums, int window, int overlap) {
-      const float* within = arguments.within + kGroup * overlap + shapelet;
+  /// A bit for each shapelet of the group that exceeds its best. The sign of best M sigma - (A - mu S) tells: signs are
+  /// collected by an OR, which leaves the units that multiply and add to the sums.
+  template <int Count>
+  static unsigned AnyBetter(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range) {
+    Integers signs[Count] = {};
+    Vector best[Count];
+    for (int i = 0; i < Count; ++i) best[i] = Vector{} + arguments.best[members.index[i]];
+    Walk<Count>(arguments, members, tile, range, [&](const Sums<Count>& sums, int window, int overlap) {
+      const float* of_overlap = arguments.within + kGroup * overlap;
+      Vector within[Count];
+      for (int i = 0; i < Count; ++i) within[i] = Of::Spread(of_overlap[members.index[i]]);
       for (int v = 0; v < Vectors; ++v) {
-        const Vector mean = Load(arguments.mean + window + v * Lanes);
-        const Vector spread = Load(arguments.spread + window + v * Lanes);
-        for (int i = 0; i < Shapelets; ++i) {
-          signs |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
+        const Vector mean = Of::LoadOnce(arguments.mean + window + v * Lanes);
+        const Vector spread = Of::LoadOnce(arguments.spread + window + v * Lanes);
+        for (int i = 0; i < Count; ++i) {
+          signs[i] |= (Integers)(best[i] * spread + (within[i] * mean + sums.turned[i][v]));
         }
       }
     });
-    return (Combined(signs) & 0x80000000U) != 0;
+    unsigned better = 0;
+    for (int i = 0; i < Count; ++i) better |= (Of::Signs(signs[i]) != 0 ? 1U : 0U) << members.index[i];
+    return better;
   }
 
-  static int FindBetter(const PartialArguments& arguments, int tile, int end) {
+  /// AnyBetter() of the `Count` shapelets from `member` on, over all overlaps that are useful to one of them.
+  template <int Count>
+  static unsigned AnyOfThese(const PartialArguments& arguments, const int* member, const Range* ranges, int tile) {
+    Members<Count> members;
+    Range all = ranges[0];
+    for (int i = 0; i < Count; ++i) {
+      members.index[i] = member[i];
+      if (ranges[i].low < all.low) all.low = ranges[i].low;
+      if (ranges[i].high > all.high) all.high = ranges[i].high;
+    }
+    return AnyBetter<Count>(arguments, members, tile, all);
+  }
+
+  static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     for (; tile < end; ++tile) {
-      const Range first = UsefulOverlaps(arguments, 0, tile);
-      const Range second = UsefulOverlaps(arguments, 1, tile);
-      const bool one = first.low <= first.high;
-      const bool other = second.low <= second.high;
-      if (one && other) {
-        const Range both{first.low < second.low ? first.low : second.low,
-                         first.high > second.high ? first.high : second.high};
-        if (AnyBetter<2>(arguments, 0, tile, both)) break;
-      } else if (one) {
-        if (AnyBetter<1>(arguments, 0, tile, first)) break;
-      } else if (other) {
-        if (AnyBetter<1>(arguments, 1, tile, second)) break;
+      const bool has_full = HasFullOverlaps(arguments, tile);
+      unsigned blocks[kGroup] = {};
+      for (int i = 0; i < arguments.count; ++i) blocks[i] = UsefulBlocks(arguments, i, tile, has_full);
+      if ((blocks[0] | blocks[1] | blocks[2] | blocks[3]) == 0) continue;
+      int members[kGroup];
+      Range ranges[kGroup];
+      int count = 0;
+      for (int i = 0; i < arguments.count; ++i) {
+        if (blocks[i] == 0) continue;
+        ranges[count] = OverlapsOf(arguments, blocks[i]);
+        members[count++] = i;
       }
+      *better = 0;
+      int done = 0;
+      if (kTogether >= 4 && count == 4) {
+        *better = AnyOfThese<4>(arguments, members, ranges, tile);
+        done = 4;
+      } else if (kTogether >= 3 && count == 3) {
+        *better = AnyOfThese<3>(arguments, members, ranges, tile);
+        done = 3;
+      }
+      for (; done + 2 <= count; done += 2) *better |= AnyOfThese<2>(arguments, members + done, ranges + done, tile);
+      if (done < count) *better |= AnyOfThese<1>(arguments, members + done, ranges + done, tile);
+      if (*better != 0) break;
     }
     return tile;
   }
@@ -233,8 +261,9 @@ struct TileLoops {
   static void MostInTile(const PartialArguments& arguments, int shapelet, int tile, TileResult* result) {
     Vector most[Vectors] = {};
     Integers at[Vectors] = {};
-    const Range range = UsefulOverlaps(arguments, shapelet, tile);
-    Walk<1>(arguments, shapelet, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
+    const bool has_full = HasFullOverlaps(arguments, tile);
+    const Range range = OverlapsOf(arguments, UsefulBlocks(arguments, shapelet, tile, has_full));
+    Walk<1>(arguments, {{shapelet}}, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
       for (int v = 0; v < Vectors; ++v) {
         const Vector mean = Load(arguments.mean + window + v * Lanes);
@@ -249,8 +278,8 @@ struct TileLoops {
     float values[kPositions];
     int overlaps[kPositions];
     for (int v = 0; v < Vectors; ++v) {
-      Store(values + v * Lanes, most[v]);
-      Store(overlaps + v * Lanes, at[v]);
+      Of::Store(values + v * Lanes, most[v]);
+      Of::Store(overlaps + v * Lanes, at[v]);
     }
     for (int position = 0; position < kPositions; ++position) {
       if (values[position] <= result->value) continue;
@@ -258,21 +287,25 @@ struct TileLoops {
     }
   }
 
-  static void WindowEnergies(const EnergyArguments& arguments, float* energies) {
-    const float* sums = arguments.sums + arguments.first;
-    const float* squares = arguments.squares + arguments.first;
-    const auto samples = static_cast<float>(arguments.samples);
-    for (int window = 0; window < arguments.count; window += Lanes) {
-      const Vector mean = Load(arguments.mean + window);
-      const Vector sum = Load(sums + window + arguments.samples) - Load(sums + window);
-      const Vector square = Load(squares + window + arguments.samples) - Load(squares + window);
-      const Vector energy = square - mean * (2.0F * sum - samples * mean) + arguments.rounding;
-      Store(energies + window, energy * Load(arguments.scale + window));
+  /// CC_w M sigma of one window, by the definition.
+  static double Correlation(const float* shapelet, const float* samples, double mean, int count) {
+    typename Of::Doubles sum = {};
+    int m = 0;
+    for (; m + Lanes / 2 <= count; m += Lanes / 2) {
+      sum += Of::LoadDoubles(shapelet + m) * (Of::LoadDoubles(samples + m) - mean);
     }
+    double parts[Lanes / 2];
+    Of::Store(parts, sum);
+    double total = 0.0;
+    for (const double part : parts) total += part;
+    for (; m < count; ++m) total += static_cast<double>(shapelet[m]) * (static_cast<double>(samples[m]) - mean);
+    return total;
   }
 
   static Loops All(const char* name) {
-    return {name, kPositions, FullOverlaps, FindBetter, MostInTile, WindowEnergies};
+    using Prepare = PreparationLoops<Lanes, Vectors>;
+    return {name,       kPositions,  FullOverlaps,          FindBetter,
+            MostInTile, Correlation, Prepare::WindowValues, Prepare::AllBounds};
   }
 };
 

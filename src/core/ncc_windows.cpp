@@ -41,6 +41,21 @@ WindowSet::WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length
     inverse_deviation_[window] = deviation > least ? 1.0 / deviation : 0.0;
     if (deviation > least) ++usable_window_count_;
   }
+  FindStretches();
+}
+
+void WindowSet::FindStretches() {
+  // A stretch costs the positions that windows beside it would share, so that short gaps are not worth another one. It
+  // ends in time, since the kernel centres values on the mean of a stretch.
+  const int gap = length_ + 64;
+  const int most = std::max(1024, 4 * length_);
+  for (int window = 0; window < window_count(); ++window) {
+    if (IsFlat(window)) continue;
+    const bool joins = !stretches_.empty() && window - stretches_.back().first < most &&
+                       window - (stretches_.back().first + stretches_.back().count) < gap;
+    if (!joins) stretches_.push_back({window, 0});
+    stretches_.back().count = window - stretches_.back().first + 1;
+  }
 }
 
 Eigen::VectorXf WindowSet::NormalisedWindow(int window) const {

@@ -91,6 +91,18 @@ Case FlatCase() {
   return {"MostlyFlat", series, RandomWalks(5, 50, 31), 0.3};
 }
 
+/// Windows count in two places far apart, of which a shapelet's best match is in the second, and in two close ones.
+Case FlatGapsCase() {
+  Eigen::VectorXf series = Noise(900, 0.01, 51);
+  series.segment(60, 50) += RandomWalk(50, 52);
+  series.segment(400, 40) += RandomWalk(40, 53);
+  series.segment(470, 90) += RandomWalk(90, 54);
+  Eigen::MatrixXf shapelets = RandomWalks(7, 20, 55);
+  shapelets.row(2) = series.segment(80, 20).transpose();
+  shapelets.row(5) = series.segment(500, 20).transpose();
+  return {"FlatGaps", series, shapelets, 0.3};
+}
+
 Case ConstantShapeletCase() {
   Eigen::MatrixXf shapelets = RandomWalks(6, 20, 33);
   shapelets.row(0).setConstant(4.2F);
@@ -134,6 +146,7 @@ std::vector<Case> Cases() {
   cases.push_back(FineStructureCase());
   cases.push_back(StepCase());
   cases.push_back(FlatCase());
+  cases.push_back(FlatGapsCase());
   cases.push_back(ConstantShapeletCase());
   cases.push_back(CutOutCase());
   cases.push_back(FarShiftCase());
@@ -227,6 +240,29 @@ TEST(WindowSet, LeavesOutFlatWindowsOnly) {
   for (int window = 0; window < windows.window_count(); ++window) {
     EXPECT_EQ(windows.IsFlat(window), window <= 40 || window > 50) << window;
   }
+}
+
+TEST(WindowSet, HasAllWindowsThatAreNotFlatInStretchesWithoutLongFlatParts) {
+  Eigen::VectorXf series = Eigen::VectorXf::Zero(4000);
+  for (const int spike : {50, 90, 1000, 3900}) series[spike] = 10.0F;
+  series.segment(1500, 2000) = RandomWalk(2000, 56);
+  const WindowSet windows(series, 10, 0.1);
+  std::vector<bool> in_stretch(static_cast<std::size_t>(windows.window_count()), false);
+  int end = 0;
+  for (const WindowStretch& stretch : windows.stretches()) {
+    EXPECT_GE(stretch.first, end);
+    end = stretch.first + stretch.count;
+    ASSERT_LE(end, windows.window_count());
+    EXPECT_FALSE(windows.IsFlat(stretch.first));
+    EXPECT_FALSE(windows.IsFlat(end - 1));
+    std::fill(in_stretch.begin() + stretch.first, in_stretch.begin() + end, true);
+  }
+  for (int window = 0; window < windows.window_count(); ++window) {
+    EXPECT_TRUE(in_stretch[static_cast<std::size_t>(window)] || windows.IsFlat(window)) << window;
+  }
+  EXPECT_FALSE(in_stretch[500]);
+  EXPECT_FALSE(in_stretch[1200]);
+  EXPECT_TRUE(WindowSet(Eigen::VectorXf::Zero(50), 10, 0.1).stretches().empty());
 }
 
 TEST(WindowSet, RefusesWhatHasNoWindows) {

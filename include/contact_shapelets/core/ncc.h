@@ -27,6 +27,12 @@ struct Match {
   std::int32_t shift = 0;    ///< w of that maximum, -(M-1) <= w <= M-1
 };
 
+/// Neighbouring windows, of which the first and the last are not flat.
+struct WindowStretch {
+  int first;  ///< index of the first window
+  int count;  ///< windows, at least 1
+};
+
 /// A series prepared for matching with shapelets of one length: the windows' means and standard deviations.
 ///
 /// Flat windows are left out, since z-normalising mere noise makes it match anything.
@@ -45,6 +51,8 @@ class WindowSet {
   int window_count() const { return static_cast<int>(inverse_deviation_.size()); }
   /// Number of windows that are not flat.
   int usable_window_count() const { return usable_window_count_; }
+  /// What remains when long flat stretches are left out, in order: every window that is not flat is in one of these.
+  const std::vector<WindowStretch>& stretches() const { return stretches_; }
   /// True where window j is flat.
   bool IsFlat(int window) const { return inverse_deviation_[window] == 0.0; }
   /// The z-normalised window j, M values.
@@ -57,8 +65,11 @@ class WindowSet {
   const Eigen::VectorXd& inverse_deviation() const { return inverse_deviation_; }
 
  private:
+  void FindStretches();
+
   int length_;
   int usable_window_count_ = 0;
+  std::vector<WindowStretch> stretches_;
   Eigen::VectorXf series_;
   Eigen::VectorXd mean_;
   Eigen::VectorXd inverse_deviation_;

@@ -1,0 +1,109 @@
+#pragma once
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+/// \file
+/// What the inner loops do with single vectors of `Lanes` floats. Plain vector code, and one instruction of the set
+/// that the file is built for where the compiler does not find it.
+
+namespace contact_shapelets::core::tile {
+namespace {
+
+template <int Lanes>
+struct VectorOf {
+  typedef float Floats __attribute__((vector_size(Lanes * sizeof(float))));
+  typedef int Integers __attribute__((vector_size(Lanes * sizeof(int))));
+  typedef double Doubles __attribute__((vector_size(Lanes / 2 * sizeof(double))));
+
+  template <typename Type>
+  static Type Load(const void* from) {
+    Type vector;
+    __builtin_memcpy(&vector, from, sizeof(vector));
+    return vector;
+  }
+  template <typename Type>
+  static void Store(void* to, Type vector) {
+    __builtin_memcpy(to, &vector, sizeof(vector));
+  }
+
+  /// A vector that several instructions use and that is to be loaded once: the compiler takes it for changed, and so
+  /// does not load it anew as an operand of each.
+  static Floats LoadOnce(const float* from) {
+    Floats vector = Load<Floats>(from);
+#if defined(__x86_64__)
+    __asm__("" : "+v"(vector));
+#endif
+    return vector;
+  }
+  /// The same of one value in all lanes.
+  static Floats Spread(float value) {
+    Floats vector = Floats{} + value;
+#if defined(__x86_64__)
+    __asm__("" : "+v"(vector));
+#endif
+    return vector;
+  }
+
+  static Doubles LoadDoubles(const float* from) {
+    double values[Lanes / 2];
+    for (int lane = 0; lane < Lanes / 2; ++lane) values[lane] = static_cast<double>(from[lane]);
+    return Load<Doubles>(values);
+  }
+
+  static Floats Larger(Floats one, Floats other) { return one > other ? one : other; }
+
+  /// A bit for each lane: its sign.
+  static unsigned Signs(Integers vector) {
+#if defined(__AVX512DQ__)
+    if constexpr (Lanes == 16) return _mm512_movepi32_mask((__m512i)vector);
+#endif
+#if defined(__AVX__)
+    if constexpr (Lanes == 8) return static_cast<unsigned>(_mm256_movemask_ps((__m256)vector));
+#endif
+#if defined(__x86_64__)
+    if constexpr (Lanes == 4) return static_cast<unsigned>(_mm_movemask_ps((__m128)vector));
+#endif
+    unsigned lanes[Lanes];
+    Store(lanes, vector);
+    unsigned bits = 0;
+    for (int lane = 0; lane < Lanes; ++lane) bits |= (lanes[lane] >> 31) << lane;
+    return bits;
+  }
+
+  /// The largest lane.
+  static float Largest(Floats vector) {
+#if defined(__AVX512DQ__)
+    if constexpr (Lanes == 16) {
+      const auto whole = (__m512)vector;
+      // Without a mask, this and the cast to a half make the compiler warn of what its own header leaves undefined.
+      const __m256 lower = _mm512_maskz_extractf32x8_ps(0xFF, whole, 0);
+      const __m256 upper = _mm512_maskz_extractf32x8_ps(0xFF, whole, 1);
+      return VectorOf<8>::Largest((typename VectorOf<8>::Floats)_mm256_max_ps(lower, upper));
+    }
+#endif
+#if defined(__AVX__)
+    if constexpr (Lanes == 8) {
+      const auto whole = (__m256)vector;
+      const __m128 half = _mm_max_ps(_mm256_castps256_ps128(whole), _mm256_extractf128_ps(whole, 1));
+      return VectorOf<4>::Largest((typename VectorOf<4>::Floats)half);
+    }
+#endif
+#if defined(__x86_64__)
+    if constexpr (Lanes == 4) {
+      const auto whole = (__m128)vector;
+      const __m128 half = _mm_max_ps(whole, _mm_movehl_ps(whole, whole));
+      return _mm_cvtss_f32(_mm_max_ss(half, _mm_shuffle_ps(half, half, 1)));
+    }
+#endif
+    float lanes[Lanes];
+    Store(lanes, vector);
+    float largest = lanes[0];
+    for (const float lane : lanes) largest = lane > largest ? lane : largest;
+    return largest;
+  }
+};
+
+}  // namespace
+}  // namespace contact_shapelets::core::tile
