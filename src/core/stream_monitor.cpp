@@ -29,7 +29,7 @@ std::string Shown(double value) {
 }
 
 const char* Shown(const char* text) { return text; }
-int Shown(int count) { return count; }
+std::int64_t Shown(std::int64_t count) { return count; }
 
 template <typename... Parts>
 std::string Text(const Parts&... parts) {
@@ -72,14 +72,14 @@ void StreamMonitor::AddInterval(double interval) {
   const bool gap = intervals_ >= 10 && interval > std::max(limit, kGapSeconds);
   // A gap counts for little, but a rate that really changed becomes the typical one.
   const double change = (intervals_ >= 10 ? std::min(interval, limit) : interval) - typical_interval_;
-  typical_interval_ += change / std::min(intervals_ + 1, 100);
+  typical_interval_ += change / static_cast<double>(std::min<std::int64_t>(intervals_ + 1, 100));
   if (gap) {
     ++summary_.gaps;
     return;
   }
   ++intervals_;
   const double before = interval - mean_interval_;
-  mean_interval_ += before / intervals_;
+  mean_interval_ += before / static_cast<double>(intervals_);
   squared_deviations_ += before * (interval - mean_interval_);
 }
 
@@ -93,7 +93,7 @@ void StreamMonitor::JumpBack() {
   has_last_ = false;
 }
 
-void StreamMonitor::SetStamps(int zero_stamps, int wrong_stamps, double clock_offset) {
+void StreamMonitor::SetStamps(std::int64_t zero_stamps, std::int64_t wrong_stamps, double clock_offset) {
   summary_.zero_stamps = zero_stamps;
   summary_.wrong_stamps = wrong_stamps;
   summary_.clock_offset = clock_offset;
@@ -103,7 +103,7 @@ StreamSummary StreamMonitor::Summary() const {
   StreamSummary summary = summary_;
   if (intervals_ > 0 && mean_interval_ > 0.0) {
     summary.rate = 1.0 / mean_interval_;
-    summary.jitter = std::sqrt(squared_deviations_ / intervals_);
+    summary.jitter = std::sqrt(squared_deviations_ / static_cast<double>(intervals_));
   }
   return summary;
 }
@@ -113,9 +113,9 @@ std::vector<StreamFault> Faults(const StreamSummary& summary) {
   const auto find = [&faults](bool wrong, const std::string& text, const char* remedy) {
     if (wrong) faults.push_back({text, remedy});
   };
-  const int repeated = summary.repeated + summary.repeated_messages;
-  const int compared = summary.samples + summary.repeated_messages - 1;
-  const double repeated_part = compared > 0 ? static_cast<double>(repeated) / compared : 0.0;
+  const std::int64_t repeated = summary.repeated + summary.repeated_messages;
+  const std::int64_t compared = summary.samples + summary.repeated_messages - 1;
+  const double repeated_part = compared > 0 ? static_cast<double>(repeated) / static_cast<double>(compared) : 0.0;
   const bool all_frozen = compared > 0 && repeated == compared;
   const bool frozen = all_frozen || summary.longest_frozen >= kFrozenSeconds;
   const char* const check_sensor =

@@ -145,6 +145,16 @@ TEST(StreamMonitor, HasARemedyForEveryFault) {
   for (const StreamFault& fault : faults) EXPECT_FALSE(fault.remedy.empty()) << fault.text;
 }
 
+TEST(StreamMonitor, CountsBeyond25DaysAt1Kilohertz) {
+  StreamSummary summary;
+  summary.samples = 4'000'000'000;
+  summary.repeated = 2'000'000'000;
+  summary.repeated_messages = 1'000'000'000;
+  EXPECT_TRUE(Finds(summary, "repeated samples: 60 % equal the sample before"));
+  summary.out_of_order = 3'000'000'000;
+  EXPECT_TRUE(Finds(summary, "3000000000 samples not after the one before"));
+}
+
 TEST(StreamMonitor, CountsWhatWasDropped) {
   StreamMonitor monitor;
   Play(&monitor, 0.0, 0.01, 20);

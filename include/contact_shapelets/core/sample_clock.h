@@ -39,9 +39,9 @@ class SampleClock {
   /// Least difference of arrival and stamp since the clock was set; 0 without stamps.
   Nanoseconds offset() const { return offset_; }
   /// Samples without a stamp.
-  int zero_stamps() const { return zero_stamps_; }
+  std::int64_t zero_stamps() const { return zero_stamps_; }
   /// Samples with a wrong stamp.
-  int wrong_stamps() const { return wrong_stamps_; }
+  std::int64_t wrong_stamps() const { return wrong_stamps_; }
 
  private:
   bool Fits(Nanoseconds stamp, Nanoseconds arrival) const;
@@ -56,8 +56,8 @@ class SampleClock {
   Nanoseconds last_arrival_ = 0;
   Nanoseconds last_time_ = 0;
   Nanoseconds offset_ = 0;
-  int zero_stamps_ = 0;
-  int wrong_stamps_ = 0;
+  std::int64_t zero_stamps_ = 0;
+  std::int64_t wrong_stamps_ = 0;
 };
 
 }  // namespace contact_shapelets::core

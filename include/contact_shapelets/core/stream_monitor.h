@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,23 +14,23 @@ namespace contact_shapelets::core {
 
 /// What StreamMonitor counted.
 struct StreamSummary {
-  int samples = 0;                ///< finite samples in order
-  int not_finite = 0;             ///< dropped: NaN or infinite
-  int out_of_order = 0;           ///< dropped: not after the sample before
-  int zero_stamps = 0;            ///< without a stamp
-  int wrong_stamps = 0;           ///< stamp ran backward, stood still or leapt ahead: placed by arrival
-  int jumps_back = 0;             ///< time began anew
-  int repeated = 0;               ///< same force as the sample before, to the last bit
-  int repeated_messages = 0;      ///< dropped: same force and same stamp as the sample before
-  int gaps = 0;                   ///< intervals above three times the typical one and above 20 ms
-  double duration = 0.0;          ///< [s] first to last sample
-  double rate = 0.0;              ///< [Hz] mean outside of gaps; 0 with fewer than 2 samples
-  double jitter = 0.0;            ///< [s] standard deviation of the intervals outside of gaps
-  double longest_interval = 0.0;  ///< [s]
-  double longest_frozen = 0.0;    ///< [s] longest run of one repeated value
-  double clock_offset = 0.0;      ///< [s] arrival less stamp
-  double least_force = 0.0;       ///< [N] smallest magnitude
-  double greatest_force = 0.0;    ///< [N] largest magnitude
+  std::int64_t samples = 0;            ///< finite samples in order
+  std::int64_t not_finite = 0;         ///< dropped: NaN or infinite
+  std::int64_t out_of_order = 0;       ///< dropped: not after the sample before
+  std::int64_t zero_stamps = 0;        ///< without a stamp
+  std::int64_t wrong_stamps = 0;       ///< stamp ran backward, stood still or leapt ahead: placed by arrival
+  std::int64_t jumps_back = 0;         ///< time began anew
+  std::int64_t repeated = 0;           ///< same force as the sample before, to the last bit
+  std::int64_t repeated_messages = 0;  ///< dropped: same force and same stamp as the sample before
+  std::int64_t gaps = 0;               ///< intervals above three times the typical one and above 20 ms
+  double duration = 0.0;               ///< [s] first to last sample
+  double rate = 0.0;                   ///< [Hz] mean outside of gaps; 0 with fewer than 2 samples
+  double jitter = 0.0;                 ///< [s] standard deviation of the intervals outside of gaps
+  double longest_interval = 0.0;       ///< [s]
+  double longest_frozen = 0.0;         ///< [s] longest run of one repeated value
+  double clock_offset = 0.0;           ///< [s] arrival less stamp
+  double least_force = 0.0;            ///< [N] smallest magnitude
+  double greatest_force = 0.0;         ///< [N] largest magnitude
   Eigen::Vector3d least_components = Eigen::Vector3d::Zero();     ///< [N] smallest x, y and z
   Eigen::Vector3d greatest_components = Eigen::Vector3d::Zero();  ///< [N] largest x, y and z
 };
@@ -50,7 +51,7 @@ class StreamMonitor {
   /// Time began anew: intervals start afresh.
   void JumpBack();
   /// Takes over what the sample clock knows of stamps; `clock_offset` in seconds.
-  void SetStamps(int zero_stamps, int wrong_stamps, double clock_offset);
+  void SetStamps(std::int64_t zero_stamps, std::int64_t wrong_stamps, double clock_offset);
 
   /// What was counted so far.
   StreamSummary Summary() const;
@@ -63,7 +64,7 @@ class StreamMonitor {
   Nanoseconds last_time_ = 0;
   Nanoseconds run_start_ = 0;
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
-  int intervals_ = 0;  ///< without gaps
+  std::int64_t intervals_ = 0;  ///< without gaps
   double typical_interval_ = 0.0;
   double mean_interval_ = 0.0;
   double squared_deviations_ = 0.0;
