@@ -59,8 +59,9 @@ core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, con
     labelled.series.push_back(episode.force);
     classes.push_back(numbers->emplace(episode.outcome, static_cast<int>(numbers->size())).first->second);
   }
-  if (classes.empty())
+  if (classes.empty()) {
     throw std::runtime_error(Joined(paths, ", ") + ": expected episodes with an outcome, found none");
+  }
   labelled.classes = Eigen::Map<Eigen::VectorXi>(classes.data(), static_cast<Eigen::Index>(classes.size()));
   return labelled;
 }

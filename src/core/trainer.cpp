@@ -11,6 +11,7 @@
 #include "contact_shapelets/core/kmeans.h"
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/partition_metrics.h"
+#include "contact_shapelets/core/random.h"
 #include "contact_shapelets/core/series.h"
 
 namespace contact_shapelets::core {
@@ -87,6 +88,35 @@ std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& featu
   return clusters;
 }
 
+/// The clusters of all training episodes. Where there are more than vote, the others go to the nearest centroid of
+/// those drawn to vote.
+Eigen::VectorXi TrainingLabels(const TrainingResult& result, const std::vector<Eigen::VectorXf>& series,
+                               const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options) {
+  const int threads = ThreadCount(options.threads);
+  const auto count = static_cast<int>(series.size());
+  if (count <= options.voting_episodes) {
+    return VotedLabels(result, distances, result.random_shapelets.Distances(series, threads), options);
+  }
+  std::vector<int> drawn = Random(options.seed).Sample(count, options.voting_episodes);
+  std::sort(drawn.begin(), drawn.end());
+  std::vector<Eigen::VectorXf> drawn_series;
+  Eigen::MatrixXf drawn_distances(drawn.size(), distances.cols());
+  for (std::size_t index = 0; index < drawn.size(); ++index) {
+    drawn_series.push_back(series[static_cast<std::size_t>(drawn[index])]);
+    drawn_distances.row(static_cast<Eigen::Index>(index)) = distances.row(drawn[index]);
+  }
+  const Eigen::VectorXi voted =
+      VotedLabels(result, drawn_distances, result.random_shapelets.Distances(drawn_series, threads), options);
+  Eigen::MatrixXf centroids(options.clusters, distances.cols());
+  const std::vector<Cluster> clusters = FormClusters(result.model.Features(drawn_distances), voted, options);
+  for (int index = 0; index < options.clusters; ++index) centroids.row(index) = clusters[index].centroid.transpose();
+  Eigen::VectorXi labels = NearestCentroids(centroids, result.model.Features(distances));
+  for (std::size_t index = 0; index < drawn.size(); ++index) {
+    labels[drawn[index]] = voted[static_cast<Eigen::Index>(index)];
+  }
+  return labels;
+}
+
 /// A name that tells models apart: a digest (FNV-1a) of what the classifier uses.
 std::string ModelDigest(const Model& model) {
   std::uint64_t digest = 14695981039346656037ULL;
@@ -139,6 +169,7 @@ std::string TrainerOptions::Faults() const {
   require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
   require(voters >= 0, "voters", "at least 0", voters);
   require(random_shapelets >= 0, "random_shapelets", "at least 0", random_shapelets);
+  require(voting_episodes >= clusters, "voting_episodes", "at least the number of clusters", voting_episodes);
   require(threads >= 0, "threads", "at least 0", threads);
   return faults.str() + learner.Faults();
 }
@@ -188,7 +219,7 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   const Eigen::MatrixXf distances =
       AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
   result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0, options.seed);
-  result.labels = VotedLabels(result, distances, result.random_shapelets.Distances(series, threads), options);
+  result.labels = TrainingLabels(result, series, distances, options);
   model.clusters = FormClusters(model.Features(distances), result.labels, options);
   const std::vector<std::string> names = NameClusters(result.labels, outcomes, options.clusters);
   for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];

@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "episode_node");
-  const contact_shapelets::EpisodeNode node{ros::NodeHandle(), ros::NodeHandle("~")};
-  ros::spin();
+  contact_shapelets::EpisodeNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  node.Run();
   return 0;
 }

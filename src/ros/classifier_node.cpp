@@ -127,7 +127,7 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
 }
 
 std::string ClassifierNode::SaveNames() {
-  if (options_.model.empty()) return "not saved: the model came by topic, and ~model names no file";
+  if (options_.model.empty()) return "not saved: the model came by topic; give its file by ~model to save names";
   // A training may have put another model there, which these names do not fit.
   const std::string in_file = LoadModel(options_.model).id;
   if (in_file != classifier_->model().id) return "not saved: " + options_.model + " holds another model, " + in_file;

@@ -15,9 +15,10 @@ using diagnostic_msgs::DiagnosticStatus;
 
 /// A jump back of time by less is jitter.
 constexpr core::Nanoseconds kJumpBack = 500'000'000;
-/// Of the wait timer, without a wrench between them: fewer may be a busy machine's backlog.
-constexpr int kIdleTicks = 3;
-constexpr double kTick = 0.01;
+/// [s] Wrenches are taken in batches: a thread that wakes for each of them costs more than all else here.
+constexpr double kBatch = 0.004;
+/// Batches without a wrench after which none is taken to come: fewer may be a busy machine's backlog.
+constexpr int kIdleBatches = 8;
 /// Diagnostics judge what happened within as many seconds.
 constexpr std::size_t kRecent = 10;
 
@@ -42,7 +43,7 @@ core::StreamSummary Since(const core::StreamSummary& before, const core::StreamS
   recent.repeated_messages -= before.repeated_messages;
   recent.gaps -= before.gaps;
   recent.duration -= before.duration;
-  recent.rate = recent.duration > 0.0 ? recent.samples / recent.duration : 0.0;
+  recent.rate = recent.duration > 0.0 ? static_cast<double>(recent.samples) / recent.duration : 0.0;
   if (recent.longest_frozen <= before.longest_frozen) recent.longest_frozen = 0.0;
   return recent;
 }
@@ -84,8 +85,10 @@ void EpisodeNode::Advertise() {
 
 void EpisodeNode::Subscribe() {
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
+  ros::NodeHandle wrench_node_handle(node_handle_);
+  wrench_node_handle.setCallbackQueue(&wrench_queue_);
   wrench_subscriber_ =
-      node_handle_.subscribe(topics::kWrench, topics::kWrenchQueue, &EpisodeNode::OnWrench, this, no_delay);
+      wrench_node_handle.subscribe(topics::kWrench, topics::kWrenchQueue, &EpisodeNode::OnWrench, this, no_delay);
   if (options_.segmentation.segmentation == core::Segmentation::kTrigger) {
     active_subscriber_ =
         node_handle_.subscribe(topics::kEpisodeActive, topics::kEdgeQueue, &EpisodeNode::OnActive, this, no_delay);
@@ -96,32 +99,46 @@ void EpisodeNode::Subscribe() {
     status_subscriber_ =
         node_handle_.subscribe(topics::kActionStatus, topics::kEdgeQueue, &EpisodeNode::OnStatus, this, no_delay);
   }
-  // Only for waits that run out while no wrench arrives; whatever a wrench decides is published with it.
-  wait_timer_ =
-      node_handle_.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) { LetTimePass(); });
   if (options_.progress_rate > 0.0) {
     progress_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0 / options_.progress_rate),
                                                    [this](const ros::WallTimerEvent&) { PublishProgress(); });
   }
 }
 
-void EpisodeNode::OnWrench(const geometry_msgs::WrenchStamped& wrench) {
+void EpisodeNode::Run() {
+  while (node_handle_.ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kBatch));
+    if (!stream_) continue;
+    idle_batches_ = std::min(idle_batches_ + 1, kIdleBatches);
+    TakeWrenches();
+    if (idle_batches_ == kIdleBatches) LetTimePass();
+  }
+}
+
+void EpisodeNode::TakeWrenches() { wrench_queue_.callAvailable(); }
+
+void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event) {
+  const geometry_msgs::WrenchStamped& wrench = *event.getConstMessage();
   if (frame_id_ != wrench.header.frame_id) {
     frame_id_ = wrench.header.frame_id;
     stream_->segmenter().set_frame_id(frame_id_);
   }
   const core::Nanoseconds stamp = ToNanoseconds(wrench.header.stamp);
-  const core::Nanoseconds arrival = NowOr(stamp);
+  // Not the time of now: all wrenches of a batch would have the same.
+  const core::Nanoseconds receipt = ToNanoseconds(event.getReceiptTime());
+  const core::Nanoseconds arrival = receipt > 0 ? receipt : NowOr(stamp);
   if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
     ROS_WARN_THROTTLE(10.0, "Wrenches that are not finite or out of order are dropped; /diagnostics counts them");
   }
-  idle_ticks_ = 0;
+  idle_batches_ = 0;
+  last_wrench_ = ros::SteadyTime::now();
   last_arrival_ = arrival;
   if (!early_edges_.empty()) AddEarlyEdges();
   PublishNews();
 }
 
 void EpisodeNode::AddEdge(const std::function<void(core::Nanoseconds)>& add) {
+  TakeWrenches();
   const core::Nanoseconds arrival = NowOr(last_arrival_);
   if (arrival < last_arrival_ - kJumpBack) {
     jumps_back_ = stream_->Summary().jumps_back;
@@ -140,7 +157,6 @@ void EpisodeNode::AddEarlyEdges() {
 }
 
 void EpisodeNode::LetTimePass() {
-  if (++idle_ticks_ < kIdleTicks) return;
   stream_->AdvanceTo(NowOr(last_arrival_));
   PublishNews();
 }
@@ -175,6 +191,7 @@ bool EpisodeNode::OnStop(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
 }
 
 bool EpisodeNode::OnCommand(bool open, std_srvs::Trigger::Response* response) {
+  TakeWrenches();
   if (!stream_) {
     response->message = "parameters are out of range: " + parameter_faults_;
   } else if (stream_->segmenter().IsOpen() == open) {
@@ -191,6 +208,7 @@ bool EpisodeNode::OnCommand(bool open, std_srvs::Trigger::Response* response) {
 bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
   try {
     if (!stream_) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
+    TakeWrenches();
     const Eigen::Vector3d offset = stream_->segmenter().TareNow();
     std::ostringstream text;
     text << "offset [N]: " << offset.x() << ' ' << offset.y() << ' ' << offset.z();
@@ -229,7 +247,7 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   if (summaries_.size() > kRecent + 1) summaries_.pop_front();
   const core::StreamSummary recent = Since(summaries_.front(), summary);
   const std::vector<std::string> findings = core::Findings(recent);
-  const double idle = kTick * idle_ticks_;
+  const double idle = (ros::SteadyTime::now() - last_wrench_).toSec();
   if (summary.samples == 0) {
     status.summary(DiagnosticStatus::WARN, "no usable wrench yet on " + wrench_subscriber_.getTopic());
   } else if (idle > options_.segmentation.stream_timeout) {

@@ -176,6 +176,7 @@ core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   reader->Read("kmeans_restarts", &options.kmeans_restarts);
   reader->Read("voters", &options.voters);
   reader->Read("random_shapelets", &options.random_shapelets);
+  reader->Read("voting_episodes", &options.voting_episodes);
   reader->Read("novelty_quantile", &options.novelty_quantile);
   reader->Read("novelty_margin", &options.novelty_margin);
   reader->Read("threads", &options.threads);

@@ -43,8 +43,9 @@ double DistanceByDefinition(const Eigen::VectorXf& series, const Shapelet& shape
     window = ((window.array() - window.mean()) / deviation).matrix();
     for (int shift = 1 - length; shift < length; ++shift) {
       double sum = 0.0;
-      for (int m = std::max(0, -shift); m < std::min(length, length - shift); ++m)
+      for (int m = std::max(0, -shift); m < std::min(length, length - shift); ++m) {
         sum += pattern[m] * window[m + shift];
+      }
       best = std::max(best, sum / length);
     }
   }

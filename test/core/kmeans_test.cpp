@@ -25,7 +25,7 @@ Blobs CornerBlobs(int per_blob, float offset, std::uint64_t seed) {
     const int corner = row % 4;
     blobs.classes[row] = corner;
     blobs.points(row, 0) = offset + 5.0F * static_cast<float>(corner % 2) + 0.3F * static_cast<float>(random.Normal());
-    blobs.points(row, 1) = offset + 5.0F * static_cast<float>(corner / 2) + 0.3F * static_cast<float>(random.Normal());
+    blobs.points(row, 1) = offset + (corner < 2 ? 0.0F : 5.0F) + 0.3F * static_cast<float>(random.Normal());
   }
   return blobs;
 }

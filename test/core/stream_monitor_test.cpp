@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "contact_shapelets/core/random.h"
@@ -107,7 +108,7 @@ TEST(StreamMonitor, FindsASensorThatIsFrozenForItsWholeLength) {
 
 TEST(StreamMonitor, FindsSamplesThatRepeat) {
   StreamMonitor monitor;
-  for (int index = 0; index < 1000; ++index) monitor.AddSample(Time(0.01 * index), AlongZ(index / 2));
+  for (int index = 0; index < 1000; ++index) monitor.AddSample(Time(0.01 * index), AlongZ(std::floor(0.5 * index)));
   EXPECT_EQ(monitor.Summary().repeated, 500);
   EXPECT_TRUE(Finds(monitor.Summary(), "repeated samples: 50.1 % equal the sample before"));
   EXPECT_FALSE(Finds(monitor.Summary(), "frozen"));

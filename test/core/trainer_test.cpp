@@ -31,6 +31,27 @@ TEST(TrainModel, FindsPlantedPatternsAndNamesThemByOutcomes) {
   }
 }
 
+TEST(TrainModel, LabelsEpisodesThatWereNotDrawnToVoteLikeThoseThatWere) {
+  TrainerOptions options = QuickOptions();
+  options.voting_episodes = 12;
+  const std::vector<Episode> episodes = PlantedEpisodes(20, 0, 7);
+  const TrainingResult result = TrainModel(episodes, options);
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    EXPECT_EQ(result.model.EventOf(result.labels[static_cast<Eigen::Index>(index)]), episodes[index].outcome);
+  }
+}
+
+TEST(TrainModel, ClustersWithoutVotersByTheLearnedShapeletsAlone) {
+  TrainerOptions options = QuickOptions();
+  options.voters = 0;
+  const std::vector<Episode> episodes = PlantedEpisodes(20, 0, 8);
+  const TrainingResult result = TrainModel(episodes, options);
+  EXPECT_EQ(result.random_shapelets.count(), 0);
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    EXPECT_EQ(result.model.EventOf(result.labels[static_cast<Eigen::Index>(index)]), episodes[index].outcome);
+  }
+}
+
 TEST(TrainModel, LearnsWithoutTheOutcomes) {
   std::vector<Episode> episodes = PlantedEpisodes(12, 0, 4);
   const Model named = TrainModel(episodes, QuickOptions()).model;

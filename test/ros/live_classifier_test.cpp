@@ -111,7 +111,8 @@ TEST(Classifier, DiagnosesOpenEpisodesEarlyButOnlyWhileTheyAreOpen) {
   open.complete = false;
   open.force.resize(episode.force.size() / 10);
   node.Progress(open);  // too short to say anything
-  open.force.assign(episode.force.begin(), episode.force.begin() + static_cast<long>(episode.force.size() / 2));
+  open.force.assign(episode.force.begin(),
+                    episode.force.begin() + static_cast<std::ptrdiff_t>(episode.force.size() / 2));
   node.Progress(open);
   ASSERT_TRUE(node.diagnoses.WaitForCount(1));
   EXPECT_FALSE(node.diagnoses.messages().front().final);

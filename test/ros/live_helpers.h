@@ -111,12 +111,14 @@ class Sensor {
   void Play(double duration, const std::function<double(double)>& force) {
     const ros::Time start = ros::Time::now();
     ros::WallRate rate(200.0);
-    for (double time = 0.0; time < duration; time = (ros::Time::now() - start).toSec()) {
+    double time = 0.0;
+    while (time < duration) {
       // Noise of a thousandth of a newton, since a constant stream counts as frozen.
       noise_ = 1e-3 - noise_;
       publisher_.publish(WrenchOf(ros::Time::now(), force(time) + noise_));
       ros::spinOnce();
       rate.sleep();
+      time = (ros::Time::now() - start).toSec();
     }
   }
   void Publish(const geometry_msgs::WrenchStamped& wrench) { publisher_.publish(wrench); }

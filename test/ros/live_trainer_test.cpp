@@ -42,7 +42,7 @@ TrainGoal GoalTo(const std::string& output) {
 
 /// A copy of a model that no training may touch.
 std::string OldModel() {
-  const std::string path = testing::TempDir() + "old_model.bag";
+  std::string path = testing::TempDir() + "old_model.bag";
   std::ofstream(path, std::ios::binary) << Contents(PathParameter("model"));
   return path;
 }

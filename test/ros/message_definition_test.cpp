@@ -90,7 +90,7 @@ TEST(MessageDefinition, RefusesMissingFieldsStringsAndShortMessages) {
 
 TEST(MessageDefinition, NamesATypeThatTheDefinitionLacks) {
   try {
-    MessageDefinition("robot_msgs/State", "Contact contact\n");
+    const MessageDefinition lacking("robot_msgs/State", "Contact contact\n");
     FAIL() << "expected an exception";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("robot_msgs/Contact"), std::string::npos);

@@ -24,7 +24,9 @@ struct TrainerOptions {
   LearnerOptions learner;    ///< shapelet banks
   int kmeans_restarts = 20;  ///< of each clustering, at least 1
   int voters = 100;  ///< see ConsensusLabels(): half on the learned shapelets, half on random ones; 0: one K-means on F
-  int random_shapelets = 1000;    ///< that vote beside the learned ones, at least 0; 0: learned ones alone
+  int random_shapelets = 1000;  ///< that vote beside the learned ones, at least 0; 0: learned ones alone
+  int voting_episodes = 5000;  ///< at least the clusters: of more episodes as many are drawn to be voted on; the others
+                               ///< go to the nearest centroid of those
   double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
   double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
   int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it

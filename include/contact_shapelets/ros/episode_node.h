@@ -4,10 +4,12 @@
 #include <contact_shapelets/EpisodeEvent.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -20,7 +22,7 @@
 namespace contact_shapelets {
 
 /// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share
-/// state without a lock: they need a queue that one thread serves.
+/// state without a lock: Run() calls them all.
 class EpisodeNode {
  public:
   /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A
@@ -28,12 +30,17 @@ class EpisodeNode {
   /// episodes.
   EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
+  /// Serves the global queue and the wrench until the node is shut down. Wrenches are taken every few milliseconds, and
+  /// before whatever opens or closes an episode.
+  void Run();
+
  private:
   void ReadParameters();
   void Advertise();
   void Subscribe();
 
-  void OnWrench(const geometry_msgs::WrenchStamped& wrench);
+  void TakeWrenches();
+  void OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event);
   void OnActive(const std_msgs::Bool& active);
   void OnEvent(const ros::MessageEvent<EpisodeEvent const>& event);
   void OnStatus(const actionlib_msgs::GoalStatusArray& status);
@@ -57,12 +64,14 @@ class EpisodeNode {
   std::string frame_id_;
   bool action_active_ = false;
   int published_episodes_ = 0;
-  int idle_ticks_ = 0;  ///< of the wait timer since the last wrench
+  int idle_batches_ = 0;  ///< since the last wrench, up to where time is let pass
+  ros::SteadyTime last_wrench_ = ros::SteadyTime::now();
   core::Nanoseconds last_arrival_ = 0;
-  int jumps_back_ = 0;
+  std::int64_t jumps_back_ = 0;
   std::deque<core::StreamSummary> summaries_;       ///< of the last diagnostics
   std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
 
+  ros::CallbackQueue wrench_queue_;
   ros::Publisher episode_publisher_;
   ros::Publisher progress_publisher_;
   ros::Publisher event_publisher_;
@@ -73,7 +82,6 @@ class EpisodeNode {
   ros::ServiceServer start_service_;
   ros::ServiceServer stop_service_;
   ros::ServiceServer tare_service_;
-  ros::WallTimer wait_timer_;
   ros::WallTimer progress_timer_;
   ros::WallTimer diagnostic_timer_;
   diagnostic_updater::Updater updater_;
