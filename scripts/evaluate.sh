@@ -5,7 +5,8 @@
 #
 # DATA is a folder of the UCR archive (default: ../shared/data/ucr), RESULTS the folder for the scores of every run as JSON
 # (default: in the build's workspace). A JSON that is already there is kept: delete it to compute it again.
-# METHODS="nn_stne" restricts the comparison to some methods, JOBS=4 sets the runs at the same time, SEEDS=5 those per cell.
+# METHODS="nn_stne" restricts the comparison to some methods, NEIGHBOURS="" leaves out the other neighbourhoods of UDFS, JOBS=4
+# sets the runs at the same time, SEEDS=5 those per cell.
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -41,8 +42,12 @@ evaluate() {  # NAME ARGUMENT...
   mv "$results/$name.json.part" "$results/$name.json"
 }
 
-for method in ${METHODS:-kmeans udfs kshape uslm nn_stne nn_stne_paper udfs_k2 udfs_k3 udfs_k8 udfs_k12}; do
+for method in ${METHODS:-kmeans udfs kshape uslm nn_stne nn_stne_paper}; do
   evaluate "method_$method" --datasets all --methods "$method"
+done
+# Other sizes of the neighbourhood, on the paper's data sets.
+for neighbours in ${NEIGHBOURS-2 3 8 12}; do
+  evaluate "method_udfs_k$neighbours" --datasets ECG200,CBF,FaceFour,OSULeaf --methods "udfs_k$neighbours"
 done
 
 # One ingredient off at a time, on the development sets.
