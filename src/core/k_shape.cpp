@@ -15,16 +15,21 @@ namespace contact_shapelets::core {
 namespace {
 
 /// The leading eigenvector of a symmetric matrix with no negative eigenvalue. Power iteration from `start` mostly
-/// converges within some ten rounds, which a whole decomposition takes a hundred times as long as.
+/// converges within some ten rounds, which a whole decomposition takes a hundred times as long as. It may end at a
+/// lesser eigenvector; one whose eigenvalue is more than half of their sum, the trace, is the leading one for certain.
 Eigen::VectorXd LeadingEigenvector(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& start) {
   constexpr int kRounds = 300;
   constexpr double kConverged = 1e-10;
   Eigen::VectorXd vector = start.normalized();
-  for (int round = 0; round < kRounds; ++round) {
-    const Eigen::VectorXd next = (matrix * vector).normalized();
+  for (int round = 0; round < kRounds && !vector.isZero(); ++round) {
+    const Eigen::VectorXd product = matrix * vector;
+    const double eigenvalue = vector.dot(product);
+    const Eigen::VectorXd next = product.normalized();
     const double change = (next - vector).norm();
     vector = next;
-    if (change < kConverged && !vector.isZero()) return vector;
+    if (change >= kConverged) continue;
+    if (eigenvalue > 0.5 * matrix.trace()) return vector;
+    break;
   }
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvectors().rightCols(1);
 }

@@ -134,5 +134,14 @@ TEST(KShape, RefusesFewerSeriesThanClusters) {
   EXPECT_THROW(KShape(Shapes(2, 1), options), std::invalid_argument);
 }
 
+TEST(ExtractShape, FindsTheLeadingDirectionWhereTheMembersSumUpToALesserOne) {
+  Eigen::MatrixXd members(3, 4);
+  members << 3, -3, 0, 0, -3, 3, 0, 0, 0, 0, 1, -1;
+  const Eigen::VectorXd shape = ExtractShape(members, Eigen::VectorXd::Zero(4));
+  EXPECT_NEAR(std::abs(shape[0]), std::sqrt(2.0), 1e-6);
+  EXPECT_NEAR(shape[0] + shape[1], 0.0, 1e-6);
+  EXPECT_NEAR(shape[2], 0.0, 1e-6);
+}
+
 }  // namespace
 }  // namespace contact_shapelets::core
