@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -30,7 +31,11 @@ void ParallelFor(int count, int threads, const std::function<void(int)>& work) {
     }
   };
   std::vector<std::thread> helpers;
-  for (int thread = 1; thread < std::min(threads, count); ++thread) helpers.emplace_back(run);
+  try {
+    for (int thread = 1; thread < std::min(threads, count); ++thread) helpers.emplace_back(run);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that run do the work.
+  }
   run();
   for (std::thread& helper : helpers) helper.join();
   if (failure) std::rethrow_exception(failure);

@@ -197,8 +197,7 @@ bool EpisodeNode::OnCommand(bool open, std_srvs::Trigger::Response* response) {
   } else if (stream_->segmenter().IsOpen() == open) {
     response->message = open ? "an episode is open already" : "no episode is open";
   } else {
-    stream_->AddCommand(open, Now());
-    PublishNews();
+    AddEdge([this, open](core::Nanoseconds arrival) { stream_->AddCommand(open, arrival); });
     response->success = 1U;
     response->message = open ? "episode opened" : "episode closed";
   }

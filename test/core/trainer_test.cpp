@@ -6,6 +6,7 @@
 
 #include "contact_shapelets/core/classifier.h"
 #include "contact_shapelets/core/partition_metrics.h"
+#include "contact_shapelets/core/random.h"
 #include "core/planted_series.h"
 
 namespace contact_shapelets::core {
@@ -39,6 +40,25 @@ TEST(TrainModel, LabelsEpisodesThatWereNotDrawnToVoteLikeThoseThatWere) {
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     EXPECT_EQ(result.model.EventOf(result.labels[static_cast<Eigen::Index>(index)]), episodes[index].outcome);
   }
+}
+
+TEST(TrainModel, LetsNoMoreEpisodesVoteThanAsked) {
+  // Walks have no groups, so that any other set of voting episodes splits them elsewhere.
+  Random random(9);
+  std::vector<Episode> episodes(40);
+  for (std::size_t index = 0; index < episodes.size(); ++index) {
+    episodes[index].id = std::to_string(index);
+    episodes[index].sample_period = 0.01;
+    episodes[index].force = Eigen::VectorXf(120);
+    float value = 0.0F;
+    for (Eigen::Index sample = 0; sample < 120; ++sample) {
+      episodes[index].force[sample] = value += static_cast<float>(random.Normal());
+    }
+  }
+  TrainerOptions options = QuickOptions();
+  const Eigen::VectorXi all = TrainModel(episodes, options).labels;
+  options.voting_episodes = 12;
+  EXPECT_NE(TrainModel(episodes, options).labels, all);
 }
 
 TEST(TrainModel, ClustersWithoutVotersByTheLearnedShapeletsAlone) {
