@@ -26,7 +26,7 @@ rosrun contact_shapelets shapelets report "$output/model.bag" "$bags/switch_push
 
 # A roscore of its own on a free port: one that may be running already stays undisturbed.
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
-export ROS_MASTER_URI=http://localhost:$port ROS_IP=127.0.0.1 ROS_LOG_DIR=$output/log
+export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1 ROS_LOG_DIR=$output/log
 unset ROS_HOSTNAME
 started=()
 stop_all() {
@@ -41,8 +41,12 @@ trap stop_all EXIT
 set -m
 roscore -p "$port" >"$output/roscore.log" 2>&1 &
 started+=($!)
-until rosparam list >/dev/null 2>&1; do
-  kill -0 "${started[0]}" 2>/dev/null || { tail "$output/roscore.log" >&2; exit 1; }
+for ((attempt = 1; ; ++attempt)); do
+  answer=$(rosparam list 2>&1) && break
+  if ! kill -0 "${started[0]}" 2>/dev/null || [ "$attempt" -ge 150 ]; then
+    { tail "$output/roscore.log"; echo "roscore does not answer at $ROS_MASTER_URI: $answer"; } >&2
+    exit 1
+  fi
   sleep 0.1
 done
 

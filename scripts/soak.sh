@@ -12,7 +12,8 @@ set +u
 set -u
 programs=$(dirname "$setup")/lib/contact_shapelets
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
-export ROS_MASTER_URI=http://localhost:$port
+export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1
+unset ROS_HOSTNAME
 folder=$(mktemp -d)
 started=()
 finish() {
