@@ -98,7 +98,8 @@ class StneClusterer : public Clusterer {
   TrainingResult result_;
 };
 
-/// The paper's method: one scale, attraction alone, every window, length by the L1 norm, K-means on the distances.
+/// The paper's method: one scale, attraction alone, diversity, every window, length by the L1 norm, K-means on the
+/// distances.
 class PaperClusterer : public FeatureClusterer {
  public:
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
@@ -115,6 +116,7 @@ class PaperClusterer : public FeatureClusterer {
     options.learner.objective = Objective::kPaper;
     options.learner.scales = {0.4};
     options.learner.flat_fraction = 0.0;
+    options.learner.diversity = 0.01;
     options.learner.sparsity = 0.1;
     options.learner.steps = 40;
     model_ = TrainOnSeries(train, options).model;

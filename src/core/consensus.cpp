@@ -27,9 +27,9 @@ std::vector<const View*> Voters(const std::vector<View>& views) {
 
 /// The part [N] that each series falls into for one voter.
 Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
-  Random random(seed);
+  Random random(StreamSeed(seed, 0));
   const auto columns = static_cast<int>(view.features.cols());
-  const double exponent = random.Uniform();
+  const double exponent = random.Uniform(0.0, view.greatest_exponent);
   const int parts = clusters + random.Index(clusters + 1);
   std::vector<int> seen = random.Sample(columns, std::min(columns, std::max(2, columns / 2)));
   std::sort(seen.begin(), seen.end());
@@ -41,7 +41,7 @@ Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
   KMeansOptions options;
   options.clusters = std::min(parts, static_cast<int>(points.rows()));
   options.restarts = 1;
-  options.seed = seed;
+  options.seed = StreamSeed(seed, 1);
   return KMeans(points, options).labels;
 }
 
@@ -60,17 +60,26 @@ Eigen::MatrixXf Ballots(const std::vector<Eigen::VectorXi>& votes) {
 
 }  // namespace
 
-Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads) {
+Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads,
+                                const VotesCallback& on_votes) {
   const std::vector<const View*> voters = Voters(views);
+  const auto count = static_cast<int>(voters.size());
   std::vector<Eigen::VectorXi> votes(voters.size());
-  ParallelFor(static_cast<int>(voters.size()), threads, [&](int index) {
-    const auto voter = static_cast<std::size_t>(index);
-    votes[voter] = Vote(*voters[voter], options.clusters, options.seed * 1000003U + voter);
-  });
+  // A round is long enough to keep the threads busy, and short enough to be told of.
+  const int round = 4 * threads;
+  for (int first = 0; first < count; first += round) {
+    const int last = std::min(count, first + round);
+    ParallelFor(last - first, threads, [&](int index) {
+      const auto voter = static_cast<std::size_t>(first + index);
+      votes[voter] =
+          Vote(*voters[voter], options.clusters, StreamSeed(options.seed, static_cast<std::uint32_t>(voter)));
+    });
+    if (on_votes) on_votes(static_cast<double>(last) / count);
+  }
   KMeansOptions deciding;
   deciding.clusters = options.clusters;
   deciding.restarts = options.restarts;
-  deciding.seed = options.seed;
+  deciding.seed = StreamSeed(options.seed, static_cast<std::uint32_t>(voters.size()));
   return KMeans(Ballots(votes), deciding).labels;
 }
 

@@ -79,12 +79,12 @@ std::vector<ShapeletBank> LearnBanks(const std::vector<Eigen::VectorXf>& series,
   for (int index = 0; index < static_cast<int>(options.scales.size()); ++index) {
     const double scale = options.scales[index];
     const int length = std::max(options.shortest, static_cast<int>(scale * typical_length));
-    const std::uint64_t bank_seed = seed * 1000003U + static_cast<std::uint64_t>(index);
+    const std::uint64_t bank_seed = StreamSeed(seed, static_cast<std::uint32_t>(index));
     const Eigen::MatrixXf start = StartShapelets(
         normalised, length, ShapeletCount(static_cast<int>(series.size()), typical_length, length, clusters),
-        options.flat_fraction, options.start_windows, bank_seed);
+        options.flat_fraction, options.start_windows, StreamSeed(bank_seed, 0));
     if (start.rows() == 0) continue;
-    BankLearner learner(normalised, typical_length, start, options, bank_seed, threads);
+    BankLearner learner(normalised, typical_length, start, options, StreamSeed(bank_seed, 1), threads);
     bool stopped = false;
     for (int step = 0; step < options.steps && !stopped; ++step) {
       const double objective = learner.Step();

@@ -1,10 +1,18 @@
 #include "contact_shapelets/core/random.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
 namespace contact_shapelets::core {
+
+std::uint64_t StreamSeed(std::uint64_t seed, std::uint32_t stream) {
+  std::seed_seq mixer{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U), stream};
+  std::array<std::uint32_t, 2> words{};
+  mixer.generate(words.begin(), words.end());
+  return (static_cast<std::uint64_t>(words[1]) << 32U) | words[0];
+}
 
 double Random::Normal() {
   constexpr double kTwoPi = 6.283185307179586;

@@ -73,6 +73,15 @@ RandomShapelets::RandomShapelets(const std::vector<Eigen::VectorXf>& series, int
                    [](const Shapelet& a, const Shapelet& b) { return a.dilation < b.dilation; });
 }
 
+Eigen::VectorXf RandomShapelets::Reaches() const {
+  Eigen::VectorXf reaches(count());
+  for (int k = 0; k < count(); ++k) {
+    const Shapelet& shapelet = shapelets_[static_cast<std::size_t>(k)];
+    reaches[k] = static_cast<float>(Reach(static_cast<int>(shapelet.values.size()), shapelet.dilation));
+  }
+  return reaches;
+}
+
 Eigen::MatrixXf RandomShapelets::Distances(const std::vector<Eigen::VectorXf>& series, int threads) const {
   Eigen::MatrixXf distances(series.size(), count());
   ParallelFor(static_cast<int>(series.size()), threads, [&](int row) {

@@ -31,7 +31,7 @@ Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int l
   }
 
   // Drawn in random order until there are enough, so that the cost does not grow with the number of series.
-  Random random(seed);
+  Random random(StreamSeed(seed, 0));
   const auto total = static_cast<int>(places.size());
   Eigen::MatrixXf windows(std::min(most_windows, total), length);
   int taken = 0;
@@ -50,7 +50,7 @@ Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int l
   options.clusters = count;
   options.restarts = 2;
   options.iterations = 30;
-  options.seed = seed;
+  options.seed = StreamSeed(seed, 1);
   return KMeans(windows.topRows(taken), options).centroids;
 }
 

@@ -17,6 +17,18 @@
 namespace contact_shapelets::core {
 namespace {
 
+/// What a seed is used for in a training.
+enum Stream : std::uint32_t { kLearning, kRandomShapelets, kVotingEpisodes, kVotes };
+
+/// How much more short shapelets may count than long ones with a voter. Learned scales span a factor of 16, reaches of
+/// random shapelets up to that of Q / 9, which needs a lesser exponent.
+constexpr double kLearnedExponent = 2.0;
+constexpr double kRandomExponent = 0.5;
+
+/// Parts of a training that are done when its shapelets are learned, and when it is known how far they are away.
+constexpr double kLearned = 0.9;
+constexpr double kMeasured = 0.95;
+
 /// [N] A tare leaves rounding errors of a constant force, which are all that its magnitude then holds.
 constexpr float kRounding = 1e-9F;
 
@@ -50,11 +62,11 @@ Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const F
   return distances;
 }
 
-/// The scale that each of `shapelets` was learned at.
-Eigen::VectorXf ScalesOf(const std::vector<Shapelet>& shapelets, const Model& model) {
-  Eigen::VectorXf scales(shapelets.size());
-  for (std::size_t k = 0; k < shapelets.size(); ++k) {
-    const auto scale = static_cast<std::size_t>(shapelets[k].scale);
+/// The scale that each shapelet of `model` was learned at.
+Eigen::VectorXf ScalesOf(const Model& model) {
+  Eigen::VectorXf scales(model.shapelets.size());
+  for (std::size_t k = 0; k < model.shapelets.size(); ++k) {
+    const auto scale = static_cast<std::size_t>(model.shapelets[k].scale);
     scales[static_cast<Eigen::Index>(k)] = static_cast<float>(model.provenance.selected_scales[scale]);
   }
   return scales;
@@ -91,13 +103,14 @@ std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& featu
 /// The clusters of all training episodes. Where there are more than vote, the others go to the nearest centroid of
 /// those drawn to vote.
 Eigen::VectorXi TrainingLabels(const TrainingResult& result, const std::vector<Eigen::VectorXf>& series,
-                               const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options) {
+                               const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options,
+                               const VotesCallback& on_votes) {
   const int threads = ThreadCount(options.threads);
   const auto count = static_cast<int>(series.size());
   if (count <= options.voting_episodes) {
-    return VotedLabels(result, distances, result.random_shapelets.Distances(series, threads), options);
+    return VotedLabels(result, distances, result.random_shapelets.Distances(series, threads), options, on_votes);
   }
-  std::vector<int> drawn = Random(options.seed).Sample(count, options.voting_episodes);
+  std::vector<int> drawn = Random(StreamSeed(options.seed, kVotingEpisodes)).Sample(count, options.voting_episodes);
   std::sort(drawn.begin(), drawn.end());
   std::vector<Eigen::VectorXf> drawn_series;
   Eigen::MatrixXf drawn_distances(drawn.size(), distances.cols());
@@ -106,7 +119,7 @@ Eigen::VectorXi TrainingLabels(const TrainingResult& result, const std::vector<E
     drawn_distances.row(static_cast<Eigen::Index>(index)) = distances.row(drawn[index]);
   }
   const Eigen::VectorXi voted =
-      VotedLabels(result, drawn_distances, result.random_shapelets.Distances(drawn_series, threads), options);
+      VotedLabels(result, drawn_distances, result.random_shapelets.Distances(drawn_series, threads), options, on_votes);
   Eigen::MatrixXf centroids(options.clusters, distances.cols());
   const std::vector<Cluster> clusters = FormClusters(result.model.Features(drawn_distances), voted, options);
   for (int index = 0; index < options.clusters; ++index) centroids.row(index) = clusters[index].centroid.transpose();
@@ -144,11 +157,12 @@ std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::Vector
   const auto on_step = [&](int bank, int step, double objective) {
     if (!progress) return true;
     const double done = (static_cast<double>(bank) * options.learner.steps + step + 1) / total;
-    cancelled = !progress({bank, step, objective, 0.95 * done});
+    cancelled = !progress({bank, step, objective, kLearned * done});
     return !cancelled;
   };
   std::vector<ShapeletBank> banks =
-      LearnBanks(series, options.clusters, options.learner, options.seed, ThreadCount(options.threads), on_step);
+      LearnBanks(series, options.clusters, options.learner, StreamSeed(options.seed, kLearning),
+                 ThreadCount(options.threads), on_step);
   if (cancelled) throw TrainingCancelled();
   if (banks.empty()) {
     throw std::invalid_argument("too few windows that are not flat: more or longer episodes are needed");
@@ -175,24 +189,25 @@ std::string TrainerOptions::Faults() const {
 }
 
 Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& distances,
-                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options) {
+                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options,
+                            const VotesCallback& on_votes) {
   const Model& model = result.model;
   if (options.voters == 0) {
     KMeansOptions kmeans;
     kmeans.clusters = options.clusters;
     kmeans.restarts = options.kmeans_restarts;
-    kmeans.seed = options.seed;
+    kmeans.seed = StreamSeed(options.seed, kVotes);
     return KMeans(model.Features(distances), kmeans).labels;
   }
   const int random_voters = random_distances.cols() > 0 ? options.voters / 2 : 0;
   const std::vector<View> views{
-      {model.Features(distances), ScalesOf(model.shapelets, model), options.voters - random_voters},
-      {Standardised(random_distances), Eigen::VectorXf::Ones(random_distances.cols()), random_voters}};
+      {model.Features(distances), ScalesOf(model), options.voters - random_voters, kLearnedExponent},
+      {Standardised(random_distances), result.random_shapelets.Reaches(), random_voters, kRandomExponent}};
   ConsensusOptions consensus;
   consensus.clusters = options.clusters;
   consensus.restarts = options.kmeans_restarts;
-  consensus.seed = options.seed;
-  return ConsensusLabels(views, consensus, ThreadCount(options.threads));
+  consensus.seed = StreamSeed(options.seed, kVotes);
+  return ConsensusLabels(views, consensus, ThreadCount(options.threads), on_votes);
 }
 
 TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
@@ -215,11 +230,18 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   model.flat_fraction = options.learner.flat_fraction;
   for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
 
+  const auto report = [&](double done) {
+    const TrainingProgress state{static_cast<int>(banks.size()), 0, banks.back().objective, done};
+    if (progress && !progress(state)) throw TrainingCancelled();
+  };
   const int threads = ThreadCount(options.threads);
   const Eigen::MatrixXf distances =
       AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
-  result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0, options.seed);
-  result.labels = TrainingLabels(result, series, distances, options);
+  report(kMeasured);
+  result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0,
+                                            StreamSeed(options.seed, kRandomShapelets));
+  result.labels = TrainingLabels(result, series, distances, options,
+                                 [&](double votes) { report(kMeasured + (1.0 - kMeasured) * votes); });
   model.clusters = FormClusters(model.Features(distances), result.labels, options);
   const std::vector<std::string> names = NameClusters(result.labels, outcomes, options.clusters);
   for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];

@@ -72,6 +72,26 @@ TEST(Consensus, DoesNotDependOnTheNumberOfThreads) {
   EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), ConsensusLabels({view}, TwoClusters(), 3));
 }
 
+TEST(Consensus, TellsOfTheVotesAndEndsWhereThatThrows) {
+  const View view = NoiseView(20, 15, 8);
+  double done = 0.0;
+  ConsensusLabels({view}, TwoClusters(), 2, [&done](double part) {
+    EXPECT_GT(part, done);
+    done = part;
+  });
+  EXPECT_EQ(done, 1.0);
+  EXPECT_THROW(ConsensusLabels({view}, TwoClusters(), 2, [](double) { throw std::runtime_error("no more"); }),
+               std::runtime_error);
+}
+
+TEST(Consensus, GivesNoColumnMoreWeightWhereTheGreatestExponentIsZero) {
+  View view = GroupedView(Alternating(40), 40, 6);
+  view.features.rightCols(3) = 1.5F * GroupedView(Halves(40), 0, 7).features.rightCols(3);
+  view.scales.head(3).setConstant(0.01F);
+  view.greatest_exponent = 0.0;
+  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), Halves(40));
+}
+
 TEST(Consensus, SplitsAsManySeriesAsClusters) {
   EXPECT_EQ(ConsensusLabels({GroupedView(Alternating(2), 9, 9)}, TwoClusters(), 1), Alternating(2));
 }

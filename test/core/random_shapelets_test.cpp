@@ -69,6 +69,15 @@ TEST(RandomShapelets, AcceptSeriesShorterThanAShapelet) {
   EXPECT_TRUE(RandomShapelets(Walks(3, 2, 18), 5, 19).Distances(Walks(2, 4, 20), 1).allFinite());
 }
 
+TEST(RandomShapelets, ReachFromTheirLengthToThatOfTheSeries) {
+  const std::vector<Eigen::VectorXf> series(5, Eigen::VectorXf::LinSpaced(200, 0.0F, 1.0F));
+  const Eigen::VectorXf reaches = RandomShapelets(series, 300, 1).Reaches();
+  EXPECT_EQ(reaches.size(), 300);
+  EXPECT_EQ(reaches.minCoeff(), static_cast<float>(RandomShapelets::kLength));
+  EXPECT_LE(reaches.maxCoeff(), 200.0F);
+  EXPECT_GT(reaches.maxCoeff(), 150.0F);
+}
+
 TEST(RandomShapelets, NeedASeriesOfTwoValues) {
   EXPECT_THROW(RandomShapelets({}, 5, 0), std::invalid_argument);
   EXPECT_THROW(RandomShapelets({Eigen::VectorXf::Ones(1)}, 5, 0), std::invalid_argument);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -17,6 +18,26 @@ TEST(Random, EqualSeedsGiveEqualSequences) {
 }
 
 TEST(Random, DifferentSeedsGiveDifferentSequences) { EXPECT_NE(Random(7).Uniform(), Random(8).Uniform()); }
+
+TEST(StreamSeed, DiffersBetweenStreamsAndSeeds) {
+  std::set<std::uint64_t> seeds;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    for (std::uint32_t stream = 0; stream < 20; ++stream) seeds.insert(StreamSeed(seed, stream));
+  }
+  EXPECT_EQ(seeds.size(), 400U);
+  EXPECT_EQ(StreamSeed(3, 4), StreamSeed(3, 4));
+  EXPECT_NE(StreamSeed(3, 4), StreamSeed(3 + (1ULL << 32U), 4));
+}
+
+TEST(StreamSeed, GivesSequencesThatDoNotCorrelate) {
+  constexpr int kDraws = 4000;
+  Random first(StreamSeed(0, 0));
+  Random second(StreamSeed(0, 1));
+  double product = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) product += (first.Uniform() - 0.5) * (second.Uniform() - 0.5);
+  // Five standard deviations of the mean of independent products, each of deviation 1 / 12.
+  EXPECT_LT(std::abs(product / kDraws), 5.0 / 12.0 / std::sqrt(kDraws));
+}
 
 TEST(Random, IsTheMersenneTwisterThatTheStandardFixes) {
   // [rand.predef]: the 10000th value of a default-seeded mt19937_64 is 9981545732273789042.

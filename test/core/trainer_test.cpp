@@ -121,6 +121,17 @@ TEST(TrainModel, StopsWhenItIsCancelled) {
                TrainingCancelled);
 }
 
+TEST(TrainModel, StopsWhenItIsCancelledDuringTheVote) {
+  bool learned = false;
+  EXPECT_THROW(TrainModel(PlantedEpisodes(4, 0, 1), QuickOptions(),
+                          [&learned](const TrainingProgress& progress) {
+                            learned = learned || progress.fraction_done > 0.96;
+                            return !learned;
+                          }),
+               TrainingCancelled);
+  EXPECT_TRUE(learned);
+}
+
 TEST(TrainModel, ReportsProgressThatEndsAtOne) {
   double last = 0.0;
   TrainModel(PlantedEpisodes(6, 0, 1), QuickOptions(), [&last](const TrainingProgress& progress) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// \file
@@ -12,10 +13,15 @@ namespace contact_shapelets::core {
 
 /// Features of N series that a group of voters looks at.
 struct View {
-  Eigen::MatrixXf features;  ///< [N, K], one series per row
-  Eigen::VectorXf scales;    ///< [K], above 0: a voter with exponent p weighs column k by scales_k^-p
-  int voters = 0;            ///< how many look at it, at least 0
+  Eigen::MatrixXf features;        ///< [N, K], one series per row
+  Eigen::VectorXf scales;          ///< [K], above 0: a voter with exponent p weighs column k by scales_k^-p
+  int voters = 0;                  ///< how many look at it, at least 0
+  double greatest_exponent = 1.0;  ///< p is uniform from 0 to this, at least 0
 };
+
+/// Called now and then from the thread that asked, with the part of the votes that are given, (0, 1]. What it throws
+/// ends the vote.
+using VotesCallback = std::function<void(double)>;
 
 /// Parameters of ConsensusLabels().
 struct ConsensusOptions {
@@ -26,15 +32,16 @@ struct ConsensusOptions {
 
 /// The labels [N] that the voters agree on.
 ///
-/// A voter sees a random half of its view's columns, weighs them by an exponent p that is uniform in [0, 1), so that
-/// short shapelets count more with some voters than with others, and splits the series by one start of K-means into a
-/// random number of parts, C to 2 C (N at the most). A series then is the one-hot parts that it fell into, side by
+/// A voter sees a random half of its view's columns, weighs them by a random exponent, so that short shapelets count
+/// more with some voters than with others, and splits the series by one start of K-means into a random number of parts,
+/// C to 2 C (N at the most). A series then is the one-hot parts that it fell into, side by
 /// side, and K-means on those decides (cluster ensembles: Strehl and Ghosh 2002; of random subspaces and numbers of
 /// clusters: Fred and Jain 2005; decided by K-means: Topchy, Jain and Punch 2003). A voter that fits the series poorly
 /// splits them otherwise at each start, so that its votes scatter and count little. `threads` is 1 or more; the result
-/// does not depend on it. \throws std::invalid_argument where no view has a voter, the views' sizes do not match, a
-/// value is not
-///   finite, or N < C.
-Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads);
+/// does not depend on it.
+/// \throws std::invalid_argument where no view has a voter, the views' sizes do not match, a value is not finite, or
+///   N < C.
+Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads,
+                                const VotesCallback& on_votes = nullptr);
 
 }  // namespace contact_shapelets::core

@@ -9,6 +9,10 @@
 
 namespace contact_shapelets::core {
 
+/// The seed of sequence `stream` among those that belong to `seed`. Sequences that are used for different ends get
+/// different streams, so that none follows from another (mixed by std::seed_seq, which the standard defines exactly).
+std::uint64_t StreamSeed(std::uint64_t seed, std::uint32_t stream);
+
 /// A 64-bit Mersenne Twister with explicit distributions (the standard library's differ between implementations).
 class Random {
  public:

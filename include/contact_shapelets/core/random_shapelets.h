@@ -25,6 +25,9 @@ class RandomShapelets {
   /// \throws std::invalid_argument where there is no series, or one of fewer than 2 values.
   RandomShapelets(const std::vector<Eigen::VectorXf>& series, int count, std::uint64_t seed);
 
+  /// Samples [count()] from the first to behind the last that each shapelet spans.
+  Eigen::VectorXf Reaches() const;
+
   /// Number of shapelets.
   int count() const { return static_cast<int>(shapelets_.size()); }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_shapelets/core/consensus.h"
 #include "contact_shapelets/core/episode.h"
 #include "contact_shapelets/core/learner.h"
 #include "contact_shapelets/core/model.h"
@@ -39,7 +40,7 @@ struct TrainerOptions {
 
 /// Progress of a training.
 struct TrainingProgress {
-  int candidate = 0;           ///< scale being trained, from 0
+  int candidate = 0;           ///< scale being trained, from 0; as many as there are scales: the vote
   int step = 0;                ///< of that scale
   double objective = 0.0;      ///< its value
   double fraction_done = 0.0;  ///< [0, 1] of the whole
@@ -66,7 +67,8 @@ struct TrainingResult {
 /// clustered anew, without looking at the training ones. \throws std::invalid_argument where sizes do not match or
 /// there are fewer series than clusters.
 Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const Eigen::MatrixXf>& distances,
-                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options);
+                            const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options,
+                            const VotesCallback& on_votes = nullptr);
 
 /// Learns shapelets and clusters from `episodes`, without using their outcomes; then names clusters by outcomes where
 /// there are some. Episodes must share one sample period and may differ in length.
