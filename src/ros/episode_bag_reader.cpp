@@ -41,7 +41,8 @@ std::string Joined(const std::vector<std::string>& names) {
 
 std::string AtMostOne(const std::string& path, const std::vector<std::string>& topics, const std::string& what) {
   if (topics.size() > 1) {
-    throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics));
+    throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics) +
+                             "; keep one by `rosbag filter`");
   }
   return topics.empty() ? "" : topics.front();
 }
