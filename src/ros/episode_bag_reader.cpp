@@ -230,6 +230,8 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
     contents = reading.Finish();
   } catch (const core::TrainingCancelled&) {
     throw;
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": expected a whole bag, but it is damaged: " + error.what());
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

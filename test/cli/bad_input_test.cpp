@@ -60,6 +60,13 @@ TEST_F(BadInputTest, BagThatWasCutOff) {
   ExpectTrainingRefused(WriteFile(folder_ / "cut.bag", whole.substr(0, whole.size() / 2)), {"cut.bag", "cut off"});
 }
 
+TEST_F(BadInputTest, BagThatIsDamagedWithin) {
+  std::string bag = ReadFile(Sound());
+  bag.replace(bag.size() - 200, 16, 16, '\xff');
+  ExpectTrainingRefused(WriteFile(folder_ / "damaged.bag", bag), {"damaged.bag", "damaged"});
+  ExpectRefusal({"inspect", folder_ / "damaged.bag"}, 1, {"damaged.bag", "damaged"});
+}
+
 TEST_F(BadInputTest, NoWrenchTopic) {
   MadeBag content;
   content.wrench_topics = {};
