@@ -69,5 +69,5 @@ status=0
 wait "$watch" || status=$?
 [ "$status" -ne 2 ] || tail -n 20 "$output/demo.log" >&2
 
-echo "Model, report, and logs are in $output"
+echo "Model, report, table (test.csv) and logs are in $output"
 exit "$status"
