@@ -48,6 +48,7 @@ drive() {  # ROBOTS SECONDS
 }
 
 "$programs/shapelets" train "$scripts/../bags/switch_push_train.bag" --model "$folder/model.bag" >"$folder/log" 2>&1
+: >"$folder/log"
 start roscore -p "$port"
 SECONDS=0
 until answer=$(timeout 10 rosparam list 2>&1); do
