@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
+#include <cinttypes>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <iostream>
@@ -49,11 +51,11 @@ class Robot {
 
   void Send() {
     const auto period = static_cast<int>(0.6 * rate_);
-    const int position = sent_ % period;
+    const auto position = static_cast<int>(sent_ % period);
     const ros::Time now = ros::Time::now();
     geometry_msgs::WrenchStamped wrench;
     wrench.header.stamp = now;
-    wrench.wrench.force.z = 10.0 * std::sin(0.02 * position) + 0.01 * (sent_ % 7);
+    wrench.wrench.force.z = 10.0 * std::sin(0.02 * position) + 0.01 * static_cast<double>(sent_ % 7);
     const bool last = position == period - 1;
     const ros::WallTime sent = ros::WallTime::now();
     wrench_publisher_.publish(wrench);
@@ -67,7 +69,7 @@ class Robot {
     SendEdge(contact_shapelets::EpisodeEvent::CLOSE, now);
   }
 
-  int sent() const { return sent_; }
+  std::int64_t sent() const { return sent_; }
   std::vector<double> Latencies() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return latencies_;
@@ -92,7 +94,7 @@ class Robot {
   }
 
   double rate_;
-  int sent_ = 0;
+  std::int64_t sent_ = 0;
   std::string id_;
   mutable std::mutex mutex_;
   std::map<std::string, ros::WallTime> last_wrench_;
@@ -113,11 +115,11 @@ class Received {
               for (const auto& status : array->status) {
                 for (const auto& entry : status.values) {
                   if (entry.key != "samples") continue;
-                  samples_[status.name.substr(0, status.name.find('/'))] = std::stoi(entry.value);
+                  samples_[status.name.substr(0, status.name.find('/'))] = std::stoll(entry.value);
                 }
               }
             })) {}
-  int Of(const std::string& robot) const {
+  std::int64_t Of(const std::string& robot) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = samples_.find(robot);
     return found == samples_.end() ? 0 : found->second;
@@ -126,7 +128,7 @@ class Received {
  private:
   ros::NodeHandle node_handle_;
   mutable std::mutex mutex_;
-  std::map<std::string, int> samples_;
+  std::map<std::string, std::int64_t> samples_;
   ros::Subscriber subscriber_;
 };
 
@@ -177,17 +179,17 @@ int main(int argc, char** argv) {
   ros::WallRate pace(rate);
   const ros::WallTime start = ros::WallTime::now();
   double elapsed = 0.0;
-  for (int sent = 0; ros::ok() && elapsed < seconds; elapsed = (ros::WallTime::now() - start).toSec()) {
+  for (std::int64_t sent = 0; ros::ok() && elapsed < seconds; elapsed = (ros::WallTime::now() - start).toSec()) {
     // A driver that was late sends what it missed, so that the rate holds.
-    for (; sent <= elapsed * rate; ++sent) {
+    for (; static_cast<double>(sent) <= elapsed * rate; ++sent) {
       for (const auto& robot : all) robot->Send();
     }
     pace.sleep();
   }
   const double duration = (ros::WallTime::now() - start).toSec();
 
-  int lost = 0;
-  int sent = 0;
+  std::int64_t lost = 0;
+  std::int64_t sent = 0;
   std::vector<double> latencies;
   for (int index = 0; index < robots; ++index) {
     const Robot& robot = *all[static_cast<std::size_t>(index)];
@@ -198,8 +200,9 @@ int main(int argc, char** argv) {
     const std::vector<double> of_robot = robot.Latencies();
     latencies.insert(latencies.end(), of_robot.begin(), of_robot.end());
   }
-  std::printf("%d robots, %.0f Hz reached for each, %d wrenches sent, %d lost, %zu episodes diagnosed\n", robots,
-              sent / duration / robots, sent, lost, latencies.size());
+  std::printf("%d robots, %.0f Hz reached for each, %" PRId64 " wrenches sent, %" PRId64
+              " lost, %zu episodes diagnosed\n",
+              robots, static_cast<double>(sent) / duration / robots, sent, lost, latencies.size());
   std::printf("last wrench sent to diagnosis received: median %.2f ms, p99 %.2f ms, longest %.2f ms\n",
               Quantile(latencies, 0.5), Quantile(latencies, 0.99), Quantile(latencies, 1.0));
   return lost == 0 ? 0 : 1;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a live diagnosis: installs what is missing, builds, trains on the recorded bags, lets the simulated cell push
-# (or replays recorded pushes), prints one line per push, and writes a report. Stops all that it started. Exits 0 where every push was diagnosed right.
+# (or replays recorded pushes), prints one line per push, and writes a report. Stops all that it started. Exits 0 where every
+# push was diagnosed right.
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -55,7 +56,8 @@ rosrun contact_shapelets watch_diagnoses.py --episodes 12 --timeout 120 --unknow
 watch=$!
 echo
 if [ -x "$(dirname "$setup")/lib/contact_shapelets/simulated_cell_node" ]; then
-  echo "Pushing in the simulated cell at four times its speed; slipped_off, collision and missing were never trained: unknown is right"
+  echo "Pushing in the simulated cell at four times its speed"
+  echo "slipped_off, collision and missing were never trained: unknown is right"
   cell=true
 else
   echo "Replaying $bags/switch_push_raw.bag at four times its speed (no MuJoCo: no simulated cell)"
@@ -67,5 +69,5 @@ status=0
 wait "$watch" || status=$?
 [ "$status" -ne 2 ] || tail -n 20 "$output/demo.log" >&2
 
-echo "Model, report, and logs are in $output"
+echo "Model, report, table (test.csv) and logs are in $output"
 exit "$status"

@@ -171,7 +171,8 @@ def udfs_table(scores):
     rows = []
     for name in names:
         values = [better_or_none(scores, method, name) for method in methods]
-        rows.append([name] + [text(value) for value in values] + [text(max((value for value in values if value is not None), default=None))])
+        best = max((value for value in values if value is not None), default=None)
+        rows.append([name] + [text(value) for value in values] + [text(best)])
     return table(["data"] + [f"k = {sizes[method]}" for method in methods] + ["best k"], rows)
 
 

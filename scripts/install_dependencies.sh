@@ -2,8 +2,8 @@
 # Installs what the package needs: ROS 1 from Debian 12's own packages, or the rest beside ROS Noetic on Ubuntu 20.04.
 set -euo pipefail
 
-common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libboost-program-options-dev libgtest-dev libyaml-cpp-dev
-  libbenchmark-dev)
+common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libboost-program-options-dev libconsole-bridge-dev libgtest-dev
+  libyaml-cpp-dev libbenchmark-dev)
 
 if [ -d /opt/ros/noetic ]; then
   packages=("${common[@]}" ros-noetic-roscpp ros-noetic-rosbag ros-noetic-rosbag-storage ros-noetic-rostest

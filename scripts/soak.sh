@@ -17,8 +17,14 @@ unset ROS_HOSTNAME
 folder=$(mktemp -d)
 started=()
 finish() {
-  [ ${#started[@]} -eq 0 ] || kill "${started[@]}" 2>/dev/null || true
-  wait
+  # The last of what the nodes said, where something failed.
+  [ $? -eq 0 ] || tail "$folder/log" >&2
+  for process in ${started[@]+"${started[@]}"}; do
+    kill "$process" 2>/dev/null || continue
+    # One that does not end by itself within 20 s is ended.
+    for ((attempt = 1; attempt <= 200; ++attempt)); do kill -0 "$process" 2>/dev/null && sleep 0.1 || break; done
+    kill -KILL "$process" 2>/dev/null || true
+  done
   rm -rf "$folder"
 }
 trap finish EXIT
@@ -33,9 +39,25 @@ ticks() {
   awk '{print $14 + $15}' "/proc/$1/stat"
 }
 
-"$programs/shapelets" train "$scripts/../bags/switch_push_train.bag" --model "$folder/model.bag" >/dev/null 2>&1
+# Drives the nodes, and fails where that takes far longer than it should.
+drive() {  # ROBOTS SECONDS
+  local limit=$(($2 + 300)) status=0
+  timeout --foreground "$limit" "$programs/live_load" --robots "$1" --seconds "$2" || status=$?
+  [ "$status" -ne 124 ] || echo "live_load did not end within $limit s" >&2
+  return "$status"
+}
+
+"$programs/shapelets" train "$scripts/../bags/switch_push_train.bag" --model "$folder/model.bag" >"$folder/log" 2>&1
+: >"$folder/log"
 start roscore -p "$port"
-until rosparam list >/dev/null 2>&1; do sleep 0.2; done
+SECONDS=0
+until answer=$(timeout 10 rosparam list 2>&1); do
+  if ! kill -0 "${started[0]}" 2>/dev/null || [ "$SECONDS" -ge 60 ]; then
+    echo "roscore does not answer at $ROS_MASTER_URI: $answer" >&2
+    exit 1
+  fi
+  sleep 0.1
+done
 
 start env ROS_NAMESPACE=robot0 "$programs/episode_node"
 episode_node=$!
@@ -43,7 +65,7 @@ start env ROS_NAMESPACE=robot0 "$programs/classifier_node" _model:="$folder/mode
 before=$(ticks "$episode_node")
 begin=$(date +%s%N)
 echo "One robot, 200 pushes:"
-"$programs/live_load" --robots 1 --seconds 121
+drive 1 121
 end=$(date +%s%N)
 awk -v ticks=$(($(ticks "$episode_node") - before)) -v hertz="$(getconf CLK_TCK)" -v time=$((end - begin)) \
   'BEGIN { printf "episode_node: %.1f %% of one core\n", 100 * ticks / hertz / (time * 1e-9) }'
@@ -56,4 +78,4 @@ done
 kill "$episode_node"
 start env ROS_NAMESPACE=robot0 "$programs/episode_node"
 echo "Eight robots, $seconds s:"
-"$programs/live_load" --robots 8 --seconds "$seconds"
+drive 8 "$seconds"

@@ -63,9 +63,10 @@ class DiagnosisWatch:
             self._changed.notify_all()
 
     def _latency(self, arrived, episode_id):
-        """Time from the arrival of the episode's last sample to `arrived` [s]."""
+        """Time from the arrival of the episode's last sample to `arrived` [s]; 0 where this program took up the diagnosis first,
+        as connections are served by threads of their own."""
         last = bisect.bisect_right(self._stamps, self._ends[episode_id] + 1e-6) - 1
-        return arrived - self._arrivals[max(last, 0)]
+        return max(0.0, arrived - self._arrivals[max(last, 0)])
 
     def _next_pair(self):
         """Takes the oldest outcome and the diagnosis that goes with it; what stands alone (a push before the nodes were up) is

@@ -284,6 +284,8 @@ BagInspection InspectBag(const std::string& path, const BagReaderOptions& option
       if (progress && static_cast<int>(++taken) % 4096 == 0) progress(taken / inspection.messages);
     }
     reading.Finish();
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": expected a whole bag, but it is damaged: " + error.what());
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -46,7 +47,7 @@ void WriteResult(const core::Episode& episode, const core::Classification& resul
 /// leaves no file.
 void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
               const std::vector<core::Classification>& results) {
-  const std::string temporary = arguments.annotate + ".part";
+  const std::string temporary = TemporaryName(arguments.annotate);
   try {
     rosbag::Bag output(temporary, rosbag::bagmode::Write);
     output.setCompression(rosbag::compression::LZ4);

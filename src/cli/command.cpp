@@ -10,6 +10,20 @@ namespace contact_shapelets::cli {
 
 namespace po = boost::program_options;
 
+namespace {
+
+/// \throws UsageError where a place, which has no name on the command line, was given by one.
+void RefuseNamedPlaces(const Command& command, const po::parsed_options& parsed) {
+  for (const po::option& option : parsed.options) {
+    const bool by_name = option.position_key < 0;
+    if (by_name && command.places.find_nothrow(option.string_key, false) != nullptr) {
+      throw UsageError(command.name + ": expected " + command.usage + ", but found --" + option.string_key);
+    }
+  }
+}
+
+}  // namespace
+
 int RunCommand(const Command& command, const std::vector<std::string>& arguments) {
   po::options_description shown = command.options;
   shown.add_options()("help,h", "Prints this");
@@ -17,13 +31,15 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
   all.add(shown).add(command.places);
   po::variables_map values;
   try {
-    po::store(po::command_line_parser(arguments)
-                  .options(all)
-                  .positional(command.positional)
-                  // Whole names alone: an abbreviation in somebody's script would break with the next option.
-                  .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
-                  .run(),
-              values);
+    const po::parsed_options parsed =
+        po::command_line_parser(arguments)
+            .options(all)
+            .positional(command.positional)
+            // Whole names alone: an abbreviation in somebody's script would break with the next option.
+            .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
+            .run();
+    RefuseNamedPlaces(command, parsed);
+    po::store(parsed, values);
     if (values.count("help") > 0) {
       std::cout << command.description << "\nUsage: shapelets " << command.name << ' ' << command.usage << '\n'
                 << shown;

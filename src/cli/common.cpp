@@ -28,8 +28,9 @@ void AddReaderOptions(Command* command, BagArguments* arguments) {
       "segmentation",
       po::value(&arguments->segmentation)->notifier(OneOf("--segmentation", {"trigger", "contact", "action"})),
       "What opens and closes an episode: trigger, contact or action");
-  command->options.add_options()("config", po::value(&arguments->configs)->multitoken(),
-                                 "YAML files with parameters, such as config/trainer.yaml");
+  command->options.add_options()(
+      "config", po::value(&arguments->configs),
+      "A YAML file with parameters, such as config/trainer.yaml; may be given several times");
 }
 
 void AddBagArguments(Command* command, BagArguments* arguments) {

@@ -11,7 +11,7 @@
 
 namespace contact_shapelets::cli {
 
-/// What `train` and `classify` share: bags, how to cut them, parameter files.
+/// What the commands share: bags, how to cut them, parameter files.
 struct BagArguments {
   std::vector<std::string> bags;
   std::string wrench_topic;

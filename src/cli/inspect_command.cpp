@@ -73,7 +73,7 @@ void PrintWrench(const WrenchTopic& wrench) {
   Line("messages", std::to_string(wrench.messages) + " over " + Number(wrench.received_duration, 2) + " s, " +
                        Number(received, 1) + " Hz as received");
   Line("samples", std::to_string(stream.samples) + " used, " + std::to_string(stream.not_finite) +
-                      " NaN or infinite, " + std::to_string(stream.repeated + stream.repeated_messages) +
+                      " NaN, infinite or above 1e6 N, " + std::to_string(stream.repeated + stream.repeated_messages) +
                       " repeated, " + std::to_string(stream.out_of_order) + " out of order");
   if (stream.samples > 1) {
     Line("intervals", "mean " + ShortTime(1.0 / stream.rate) + " (" + Number(stream.rate, 1) + " Hz), jitter " +

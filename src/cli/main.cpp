@@ -1,3 +1,4 @@
+#include <console_bridge/console.h>
 #include <ros/time.h>
 
 #include <algorithm>
@@ -22,6 +23,29 @@ using contact_shapelets::cli::Command;
 
 constexpr int kBadInput = 1;
 constexpr int kWrongUsage = 2;
+
+/// Takes what rosbag's library says of damaged bags, line by line, while this exists.
+class BagErrors : public console_bridge::OutputHandler {
+ public:
+  BagErrors() { console_bridge::useOutputHandler(this); }
+  ~BagErrors() override { console_bridge::restorePreviousOutputHandler(); }
+  BagErrors(const BagErrors&) = delete;
+  BagErrors& operator=(const BagErrors&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && count_++ == 0) first_ = text;
+  }
+  /// Says in one line that a bag is damaged where the library went on nevertheless.
+  void Print() const {
+    if (count_ == 0) return;
+    std::cerr << "shapelets: a bag is damaged, and a part was left out: " << contact_shapelets::OneLine(first_) << " ("
+              << contact_shapelets::cli::Count(count_, "time") << ")\n";
+  }
+
+ private:
+  std::string first_;
+  std::size_t count_ = 0;
+};
 
 int PrintHelp(const std::vector<Command>& commands) {
   std::cout << "Learns force patterns from recorded episodes, and names the outcome of new ones.\n"
@@ -48,11 +72,13 @@ int Run(const std::vector<Command>& commands, const std::vector<std::string>& ar
 
 int main(int argc, char** argv) {
   ros::Time::init();
+  BagErrors bag_errors;
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
                             contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
                             contact_shapelets::cli::ReportCommand()},
                            {argv + 1, argv + argc});
+    bag_errors.Print();
     std::cout.flush();
     if (std::fflush(stdout) != 0 || !std::cout) throw std::runtime_error("the results cannot be written to stdout");
     return status;

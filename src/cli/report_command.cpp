@@ -53,7 +53,7 @@ void Report(const Arguments& arguments) {
   CreateFolder(arguments.folder);
   const std::string page_path = (std::filesystem::path(arguments.folder) / "index.html").string();
   const std::string table_path = (std::filesystem::path(arguments.folder) / "episodes.csv").string();
-  CheckOutput("--out", page_path, contents.bags);
+  for (const std::string& path : {page_path, table_path}) CheckOutput("--out", path, contents.bags);
   contents.episodes = ReadBags(contents.bags, options.reader);
   contents.results = ClassifyAll(classifier, contents.episodes, options.trainer.threads);
   contents.series = SeriesOf(contents.episodes, contents.model.sample_period);

@@ -127,7 +127,7 @@ std::vector<StreamFault> Faults(const StreamSummary& summary) {
        Text("repeated samples: ", 100.0 * repeated_part, " % equal the sample before",
             summary.repeated_messages > 0 ? ", stamp and all" : ""),
        "usable: values between are interpolated; the driver publishes faster than its sensor measures, lower its rate");
-  find(summary.not_finite > 0, Text(summary.not_finite, " samples NaN or infinite, dropped"),
+  find(summary.not_finite > 0, Text(summary.not_finite, " samples NaN, infinite or above 1e6 N, dropped"),
        "check the driver: an invalid estimate must not be published");
   find(summary.out_of_order > 0, Text(summary.out_of_order, " samples not after the one before, dropped"),
        "look for two publishers on the topic, or a driver that stamps wrongly");

@@ -1,15 +1,11 @@
 #include "contact_shapelets/core/wrench_stream.h"
 
+#include "contact_shapelets/core/episode.h"
+
 namespace contact_shapelets::core {
-namespace {
-
-/// [N] A greater one is no force, and would be infinite in the single precision of an episode.
-constexpr double kGreatestForce = 1e30;
-
-}  // namespace
 
 bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force) {
-  if (!force.allFinite() || force.cwiseAbs().maxCoeff() > kGreatestForce) {
+  if (!(force.norm() <= kGreatestForce)) {
     monitor_.AddNotFinite();
     return false;
   }

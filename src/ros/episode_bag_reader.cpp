@@ -41,7 +41,8 @@ std::string Joined(const std::vector<std::string>& names) {
 
 std::string AtMostOne(const std::string& path, const std::vector<std::string>& topics, const std::string& what) {
   if (topics.size() > 1) {
-    throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics));
+    throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics) +
+                             "; keep one by `rosbag filter`");
   }
   return topics.empty() ? "" : topics.front();
 }
@@ -229,6 +230,8 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
     contents = reading.Finish();
   } catch (const core::TrainingCancelled&) {
     throw;
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": expected a whole bag, but it is damaged: " + error.what());
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": " + error.what());
   }

@@ -128,7 +128,8 @@ void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped 
   const core::Nanoseconds receipt = ToNanoseconds(event.getReceiptTime());
   const core::Nanoseconds arrival = receipt > 0 ? receipt : NowOr(stamp);
   if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
-    ROS_WARN_THROTTLE(10.0, "Wrenches that are not finite or out of order are dropped; /diagnostics counts them");
+    ROS_WARN_THROTTLE(
+        10.0, "Wrenches that are not finite, above 1e6 N or out of order are dropped; /diagnostics counts them");
   }
   idle_batches_ = 0;
   last_wrench_ = ros::SteadyTime::now();

@@ -10,6 +10,7 @@
 
 #include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/conversions.h"
+#include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/topics.h"
 #include "text.h"
 
@@ -28,7 +29,7 @@ void Synchronise(const std::string& path) {
 }  // namespace
 
 void SaveModel(const std::string& path, const core::Model& model) {
-  const std::string temporary = path + ".part" + std::to_string(getpid());
+  const std::string temporary = TemporaryName(path);
   try {
     const ros::WallTime now = ros::WallTime::now();
     const ros::Time stamp(now.sec, now.nsec);

@@ -40,4 +40,6 @@ void CheckModelOutput(const std::string& what, const std::string& path, const st
   }
 }
 
+std::string TemporaryName(const std::string& path) { return path + ".part" + std::to_string(getpid()); }
+
 }  // namespace contact_shapelets

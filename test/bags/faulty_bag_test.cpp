@@ -130,7 +130,7 @@ TEST_F(FaultyBagTest, EpisodesThatHoldNoSeries) {
   ExpectWords(MessageFor("episodes.bag"), {Path("episodes.bag"), "at least one episode", "/episode"});
 }
 
-TEST_F(FaultyBagTest, EpisodesWithValuesThatAreNotFinite) {
+TEST_F(FaultyBagTest, EpisodesWithValuesThatNoSensorGives) {
   Episode message;
   message.episode_id = "push_3";
   message.sample_period = 0.01;
@@ -138,6 +138,9 @@ TEST_F(FaultyBagTest, EpisodesWithValuesThatAreNotFinite) {
   message.force[7] = std::numeric_limits<float>::quiet_NaN();
   BagWriter(Path("episodes.bag")).Any("/episode", 0.0, message);
   ExpectWords(MessageFor("episodes.bag"), {Path("episodes.bag"), "push_3", "not finite"});
+  message.force[7] = 1e19F;
+  BagWriter(Path("episodes.bag")).Any("/episode", 0.0, message);
+  ExpectWords(MessageFor("episodes.bag"), {Path("episodes.bag"), "push_3", "above 2e6 N"});
   message.force[7] = 1.0F;
   message.sample_period = 0.0;
   BagWriter(Path("episodes.bag")).Any("/episode", 0.0, message);

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <thread>
@@ -59,6 +58,24 @@ TEST_F(BadInputTest, BagWithoutAMessage) {
 TEST_F(BadInputTest, BagThatWasCutOff) {
   const std::string whole = ReadFile(Sound());
   ExpectTrainingRefused(WriteFile(folder_ / "cut.bag", whole.substr(0, whole.size() / 2)), {"cut.bag", "cut off"});
+}
+
+TEST_F(BadInputTest, BagThatIsDamagedWithin) {
+  std::string bag = ReadFile(Sound());
+  bag.replace(bag.size() - 200, 16, 16, '\xff');
+  ExpectTrainingRefused(WriteFile(folder_ / "damaged.bag", bag), {"damaged.bag", "damaged"});
+  ExpectRefusal({"inspect", folder_ / "damaged.bag"}, 1, {"damaged.bag", "damaged"});
+}
+
+TEST_F(BadInputTest, MessageThatIsLeftOutOfADamagedBagIsSaid) {
+  std::string bag = ReadFile(Sound());
+  // The first time in the first index: behind the field of its version and the length of its data, 4 bytes each.
+  const std::size_t time = bag.find("ver=") + 4 + 4 + 4;
+  bag.replace(time, 8, 8, '\0');
+  const ProgramRun run = RunShapelets({"inspect", WriteFile(folder_ / "damaged.bag", bag)});
+  EXPECT_EQ(run.status, 0);
+  ASSERT_EQ(Lines(run.err).size(), 1U) << run.err;
+  EXPECT_NE(run.err.find("a part was left out"), std::string::npos) << run.err;
 }
 
 TEST_F(BadInputTest, NoWrenchTopic) {
@@ -124,6 +141,14 @@ TEST_F(BadInputTest, ParameterFileThatIsNotThere) {
                 {"none.yaml", "cannot be opened"});
 }
 
+TEST_F(BadInputTest, EachParameterFileHasItsOwnOptionAndABagMayFollow) {
+  const std::string clusters = WriteFile(folder_ / "clusters.yaml", "clusters: 2\n");
+  const ProgramRun run = RunShapelets({"train", "--model", model_, "--config", quick_, "--config", clusters, Sound()});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("cluster 1: "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("cluster 2: "), std::string::npos) << run.out;
+}
+
 TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
   ExpectRefusal({"train", Sound(), "--model", folder_ / "none/model.bag"}, 1, {"--model", "there is no folder"});
   ExpectRefusal({"classify", Sound(), "--model", model_, "--csv", folder_ / "none/a.csv"}, 1,
@@ -131,11 +156,16 @@ TEST_F(BadInputTest, OutputFolderThatIsNotThereIsNamedBeforeTheWork) {
 }
 
 TEST_F(BadInputTest, FilesWithoutPermissionAreNamed) {
-  if (geteuid() == 0) GTEST_SKIP() << "root has every permission";
   const std::string bag = Sound();
   const std::string table = WriteFile(folder_ / "table.csv", "as it was");
   chmod(table.c_str(), 0400);
+  const std::string report = folder_ / "report";
+  mkdir(report.c_str(), 0700);
+  chmod(WriteFile(report + "/episodes.csv", "as it was").c_str(), 0400);
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   ExpectRefusal({"classify", bag, "--model", model_, "--csv", table}, 1, {"table.csv", "write-protected"});
+  ExpectRefusal({"report", model_, bag, "--out", report}, 1, {"--out", "episodes.csv", "write-protected"});
+  EXPECT_THROW(ReadFile(report + "/index.html"), std::runtime_error) << "half a report was written";
   chmod(bag.c_str(), 0200);
   ExpectRefusal({"classify", bag, "--model", bag}, 1, {"sound.bag", "Permission denied"});
 }
@@ -161,6 +191,9 @@ TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
   ExpectRefusal({"classify", "--model", model_}, 2, {"bags"});
   ExpectRefusal({"report", model_, "--out", folder_ / "out"}, 2, {"bags"});
   ExpectRefusal({"inspect", bag, "--loud"}, 2, {"--loud"});
+  ExpectRefusal({"train", "--bags", bag, "--model", model_}, 2, {"expected BAG... --model", "--bags"});
+  ExpectRefusal({"report", "--model", model_, bag, "--out", folder_ / "out"}, 2,
+                {"expected MODEL.bag BAG...", "--model"});
 }
 
 TEST_F(BadInputTest, HelpIsNoError) {
@@ -194,6 +227,20 @@ TEST_F(BadInputTest, TrainingsThatEndTogetherLeaveOneWholeModel) {
   }
   for (std::thread& training : trainings) training.join();
   EXPECT_EQ(RunShapelets({"classify", bag, "--model", model_}).status, 0);
+  for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+}
+
+TEST_F(BadInputTest, AnnotationsThatEndTogetherLeaveOneWholeBag) {
+  const std::string bag = Sound();
+  const std::string annotated = folder_ / "annotated.bag";
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::vector<std::string> arguments{"classify", bag, "--model", model_, "--annotate", annotated};
+  std::vector<std::thread> runs;
+  for (int index = 0; index < 4; ++index) {
+    runs.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
+  }
+  for (std::thread& run : runs) run.join();
+  EXPECT_EQ(RunShapelets({"classify", annotated, "--model", model_}).status, 0);
   for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
 }
 

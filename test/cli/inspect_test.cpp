@@ -46,7 +46,7 @@ TEST(InspectTest, RepeatedMessagesAreCountedAsPartOfAll) {
 }
 
 TEST(InspectTest, ValuesThatAreNotFiniteAreCounted) {
-  EXPECT_TRUE(Contains(InspectFlaw(Flaw::kNotFinite), "36 samples NaN or infinite, dropped"));
+  EXPECT_TRUE(Contains(InspectFlaw(Flaw::kNotFinite), "36 samples NaN, infinite or above 1e6 N, dropped"));
 }
 
 TEST(InspectTest, MissingStampsAreNamed) {

@@ -17,7 +17,8 @@ struct ProgramRun {
   std::string err;
 };
 
-/// Runs `shapelets` with these arguments and waits for its end.
+/// Runs `shapelets` with these arguments and waits for its end. Permissions of files hold for it, also where root runs
+/// the test.
 ProgramRun RunShapelets(const std::vector<std::string>& arguments);
 
 /// Runs it with its stdout led to a device without space.

@@ -81,12 +81,14 @@ TEST(TrainModel, LearnsWithoutTheOutcomes) {
   EXPECT_EQ(unnamed.EventOf(2), "cluster_2");
 }
 
-TEST(TrainModel, GivesTheSameModelForAnyNumberOfThreads) {
+TEST(TrainModel, GivesTheSameModelAndLabelsForAnyNumberOfThreads) {
   TrainerOptions options = QuickOptions();
   options.threads = 1;
-  const Model one = TrainModel(PlantedEpisodes(10, 10, 5), options).model;
+  const TrainingResult one = TrainModel(PlantedEpisodes(10, 10, 5), options);
   options.threads = 3;
-  EXPECT_EQ(one.id, TrainModel(PlantedEpisodes(10, 10, 5), options).model.id);
+  const TrainingResult three = TrainModel(PlantedEpisodes(10, 10, 5), options);
+  EXPECT_EQ(one.model.id, three.model.id);
+  EXPECT_EQ(one.labels, three.labels);
 }
 
 TEST(TrainModel, CallsAnEpisodeUnlikeAnyTrainingEpisodeUnknown) {

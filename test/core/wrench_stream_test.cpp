@@ -33,7 +33,7 @@ Episode Only(WrenchStream* stream) {
   return episodes.empty() ? Episode() : episodes.front();
 }
 
-TEST(WrenchStream, DropsAndCountsValuesThatAreNotFinite) {
+TEST(WrenchStream, DropsAndCountsForcesThatAreNotFiniteOrThatNoSensorMeasures) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   WrenchStream stream(Options());
@@ -43,14 +43,14 @@ TEST(WrenchStream, DropsAndCountsValuesThatAreNotFinite) {
   EXPECT_FALSE(stream.AddWrench(Time(11.501), Time(11.501), Eigen::Vector3d(0.0, kNan, 0.0)));
   EXPECT_FALSE(stream.AddWrench(Time(11.502), Time(11.502), Eigen::Vector3d(kInfinity, 0.0, 0.0)));
   EXPECT_FALSE(stream.AddWrench(Time(11.503), Time(11.503), Eigen::Vector3d(0.0, 0.0, -kInfinity)));
-  // Finite, but not in the single precision of an episode.
   EXPECT_FALSE(stream.AddWrench(Time(11.504), Time(11.504), Eigen::Vector3d(0.0, 0.0, -1e300)));
+  EXPECT_FALSE(stream.AddWrench(Time(11.505), Time(11.505), Eigen::Vector3d(0.0, 8e5, 8e5)));
   Feed(&stream, 11.51, 12.1);
   stream.AddPlainEdge(false, Time(12.0));
   const Episode episode = Only(&stream);
   ASSERT_EQ(episode.force.size(), 100);
   for (int index = 0; index < 100; ++index) EXPECT_NEAR(episode.force[index], Rising(11.005 + 0.01 * index), 1e-3);
-  EXPECT_EQ(stream.Summary().not_finite, 4);
+  EXPECT_EQ(stream.Summary().not_finite, 5);
   EXPECT_EQ(stream.Summary().samples, 209);
 }
 

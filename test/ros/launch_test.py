@@ -22,8 +22,8 @@ PACKAGE = "contact_shapelets"
 ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
 LIMIT = 60.0
 ARGUMENTS = {
-    "record.launch": ["prefix:=/tmp/none"],
-    "replay.launch": ["bag:=/tmp/none.bag", "model:=/tmp/none.bag"],
+    "record.launch": ["prefix:={folder}/recording"],
+    "replay.launch": ["bag:={folder}/recording.bag", "model:={folder}/model.bag"],
     "demo.launch": [f"cell:={'true' if roslib.packages.find_node(PACKAGE, 'simulated_cell_node') else 'false'}"],
 }
 DRIVERS = {
@@ -72,8 +72,8 @@ class LaunchFiles(unittest.TestCase):
         self.assertGreaterEqual(len(files), 10)
         programs = set()
         for path in files:
-            with self.subTest(path.name):
-                config = load(path, ARGUMENTS.get(path.name, []))
+            with self.subTest(path.name), tempfile.TemporaryDirectory() as folder:
+                config = load(path, [argument.format(folder=folder) for argument in ARGUMENTS.get(path.name, [])])
                 self.assertFalse(config.config_errors)
                 self.assertTrue(config.nodes)
                 programs.update((node.package, node.type) for node in config.nodes)

@@ -58,8 +58,8 @@ TEST(OverCentreSpring, HasTheTorqueOverAngleThatWasDesigned) {
   condition.lever_force = 12.0;
   cell.SetUp(condition);
   const double greatest = CellModel::GreatestUnitSpringTorque();
-  for (double part = -1.0; part <= 1.0; part += 0.1) {
-    const double angle = part * CellModel::kStop;
+  for (int tenth = -10; tenth <= 10; ++tenth) {
+    const double angle = 0.1 * tenth * CellModel::kStop;
     PlaceLever(&cell, angle);
     const double designed = 12.0 * CellModel::kLeverLength / greatest * CellModel::UnitSpringTorque(angle);
     EXPECT_NEAR(cell.data()->qfrc_passive[kLever], designed, 1e-9) << "at " << angle << " rad";
@@ -124,8 +124,9 @@ TEST(OverCentreSpring, GivesNoWorkAwayOverACycleWithStopsAndFriction) {
   double work = 0.0;
   for (const double way : {1.0, -1.0}) {
     // As slow a hand as the spring allows, which lets go at dead centre.
-    for (double wanted = -1.0; wanted < 0.0; wanted += 0.0005) {
-      const double torque = 20.0 * (way * wanted * CellModel::kStop - cell.LeverAngle());
+    for (int place = -2000; place < 0; ++place) {
+      const double wanted = way * CellModel::kStop * place / 2000.0;
+      const double torque = 20.0 * (wanted - cell.LeverAngle());
       if (way * cell.LeverAngle() > 0.0) break;
       cell.data()->qfrc_applied[kLever] = way * std::max(0.0, way * torque);
       const double before = cell.LeverAngle();

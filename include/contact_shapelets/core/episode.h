@@ -25,6 +25,9 @@ enum class EndReason : std::uint8_t {
 /// contact, but as many samples as fill the memory.
 inline bool IsSamplePeriod(double period) { return period >= 1e-4 && period <= 1.0; }
 
+/// [N] No sensor measures more; a greater value is a fault, and sums of its square overflow single precision.
+constexpr double kGreatestForce = 1e6;
+
 /// The magnitude of the contact force over one episode, tared and resampled.
 struct Episode {
   std::string id;                              ///< unique within a recording

@@ -15,7 +15,7 @@ namespace contact_shapelets::core {
 /// What StreamMonitor counted.
 struct StreamSummary {
   std::int64_t samples = 0;            ///< finite samples in order
-  std::int64_t not_finite = 0;         ///< dropped: NaN or infinite
+  std::int64_t not_finite = 0;         ///< dropped: NaN, infinite or above kGreatestForce
   std::int64_t out_of_order = 0;       ///< dropped: not after the sample before
   std::int64_t zero_stamps = 0;        ///< without a stamp
   std::int64_t wrong_stamps = 0;       ///< stamp ran backward, stood still or leapt ahead: placed by arrival

@@ -19,8 +19,8 @@ class WrenchStream {
   /// \throws std::invalid_argument naming every parameter that is out of range.
   explicit WrenchStream(const SegmentationOptions& options) : segmenter_(options) {}
 
-  /// Takes a wrench with the header's `stamp` (0: none). Values that are not finite, or beyond 1e30 N, are counted and
-  /// dropped. Returns false where the sample was dropped.
+  /// Takes a wrench with the header's `stamp` (0: none). Forces that are not finite or above kGreatestForce are counted
+  /// and dropped. Returns false where the sample was dropped.
   bool AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force);
   /// Takes an edge without a stamp of its own, at its `arrival`. Edges that change nothing are ignored.
   void AddPlainEdge(bool open, Nanoseconds arrival);

@@ -27,7 +27,8 @@ ros::Time ToTime(core::Nanoseconds nanoseconds);
 /// The vector in the unit of the message.
 Eigen::Vector3d ToVector(const geometry_msgs::Vector3& vector);
 
-/// \throws std::invalid_argument where the sample period is not in [0.0001, 1] s or a force is not finite.
+/// \throws std::invalid_argument where the sample period is not in [0.0001, 1] s or a force is not finite or above 2e6
+/// N.
 core::Episode FromMessage(const Episode& message);
 /// The message of an episode.
 Episode ToMessage(const core::Episode& episode);
