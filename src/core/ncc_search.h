@@ -16,6 +16,7 @@ std::vector<tile::Loops> RunnableLoops();
 
 /// FindBestMatches() with the given loops.
 void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
-                         const std::vector<Match>& hints, const MatchOptions& options, std::vector<Match>* matches);
+                         const std::vector<Match>& hints, const MatchOptions& options, SearchMemory* memory,
+                         std::vector<Match>* matches);
 
 }  // namespace contact_shapelets::core

@@ -5,9 +5,29 @@
 namespace contact_shapelets::core {
 namespace {
 
-const tile::Loops& BestLoops() {
+/// Multiply-adds of full overlaps under which a search takes less time than vectors of 512 bits take to be at full
+/// speed after a while of narrower ones, some 2 microseconds.
+constexpr std::int64_t kSmallSearch = 50000;
+
+const tile::Loops& WidestLoops() {
   static const tile::Loops loops = RunnableLoops().back();
   return loops;
+}
+
+const tile::Loops& LoopsOfSmallSearches() {
+  static const tile::Loops loops = [] {
+    std::vector<tile::Loops> runnable = RunnableLoops();
+    while (runnable.size() > 1 && runnable.back().vector_bits > 256) runnable.pop_back();
+    return runnable.back();
+  }();
+  return loops;
+}
+
+const tile::Loops& BestLoops(const WindowSet& windows, const ShapeletSet& shapelets) {
+  std::int64_t multiply_adds = 0;
+  for (const WindowStretch& stretch : windows.stretches()) multiply_adds += stretch.count;
+  multiply_adds *= static_cast<std::int64_t>(shapelets.length()) * shapelets.count();
+  return multiply_adds < kSmallSearch ? LoopsOfSmallSearches() : WidestLoops();
 }
 
 }  // namespace
@@ -20,6 +40,7 @@ std::vector<tile::Loops> RunnableLoops() {
   if (avx2) loops.push_back(tile::Avx2Loops());
   if (avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")) {
+    loops.push_back(tile::Avx512HalfLoops());
     loops.push_back(tile::Avx512Loops());
   }
 #endif
@@ -27,10 +48,16 @@ std::vector<tile::Loops> RunnableLoops() {
 }
 
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
-                     const MatchOptions& options, std::vector<Match>* matches) {
-  FindBestMatchesWith(BestLoops(), windows, shapelets, hints, options, matches);
+                     const MatchOptions& options, SearchMemory* memory, std::vector<Match>* matches) {
+  FindBestMatchesWith(BestLoops(windows, shapelets), windows, shapelets, hints, options, memory, matches);
 }
 
-const char* KernelInstructionSet() { return BestLoops().name; }
+void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
+                     const MatchOptions& options, std::vector<Match>* matches) {
+  SearchMemory memory;
+  FindBestMatches(windows, shapelets, hints, options, &memory, matches);
+}
+
+const char* KernelInstructionSet() { return WidestLoops().name; }
 
 }  // namespace contact_shapelets::core

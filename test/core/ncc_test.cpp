@@ -191,7 +191,8 @@ class BestMatch : public testing::TestWithParam<Case> {
     for (const tile::Loops& loops : RunnableLoops()) {
       SCOPED_TRACE(loops.name);
       std::vector<Match> found;
-      FindBestMatchesWith(loops, windows_, shapelets_, hints, {prune}, &found);
+      SearchMemory memory;
+      FindBestMatchesWith(loops, windows_, shapelets_, hints, {prune}, &memory, &found);
       ExpectSameMatches(data(), expected_, found);
     }
   }
