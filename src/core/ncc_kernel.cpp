@@ -12,14 +12,14 @@ namespace {
 
 using tile::kGroup;
 
-/// Samples of all shapelets together from which on the windows' bounds take less time than they save, as measured. With
-/// fewer, the shapelets' energies alone prune.
-constexpr int kSamplesForBounds = 500;
-
 /// What a value must exceed the best by, so that rounding is not taken for a better match again and again.
 constexpr float kMargin = 2e-6F;
 /// More than any value.
 constexpr float kBeyond = 2.0F;
+
+void GrowTo(int size, std::vector<float>* values) {
+  if (values->size() < static_cast<std::size_t>(size)) values->resize(static_cast<std::size_t>(size));
+}
 
 /// CC_w of one window, by the definition, in double precision.
 double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float* shapelet, int window, int shift) {
@@ -53,27 +53,23 @@ class Search {
     }
   }
 
-  void Run(const WindowStretch& stretch, bool prune) {
+  void Run(const WindowStretch& stretch, Pruning pruning) {
     PreparedWindows& block = memory_.windows;
-    block.Prepare(loops_, windows_, stretch, prepared_.block, prune && BoundsPay());
+    block.Prepare(loops_, windows_, stretch, prepared_.block, pruning == Pruning::kByBounds);
     const int stride = block.full_tiles() * loops_.positions;
-    const auto least = static_cast<std::size_t>(kGroup * stride);
-    if (memory_.sums.size() < least) memory_.sums.resize(least);
-    if (memory_.largest.size() < least) memory_.largest.resize(least);
+    GrowTo(kGroup * stride, &memory_.sums);
+    GrowTo(kGroup * block.full_tiles(), &memory_.largest);
     for (int group = 0; group < prepared_.groups; ++group) {
       TakeFullOverlaps(block, group, stride);
       for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
         for (const int window : block.hard()) SearchInDouble(k, window);
       }
-      TakePartialOverlaps(block, group, 1, stride, prune);
-      TakePartialOverlaps(block, group, -1, stride, prune);
+      TakePartialOverlaps(block, group, 1, stride, pruning);
+      TakePartialOverlaps(block, group, -1, stride, pruning);
     }
   }
 
  private:
-  /// The table of the windows' bounds is made once for all shapelets, and spares the more the longer these are.
-  bool BoundsPay() const { return shapelets_.count() * prepared_.length >= kSamplesForBounds; }
-
   void Offer(int k, int window, int shift) {
     if (prepared_.constant[k]) return;
     const auto value =
@@ -117,7 +113,7 @@ class Search {
   }
 
   /// `direction` is 1 for shifts w > 0 and -1 for w < 0.
-  void TakePartialOverlaps(const PreparedWindows& block, int group, int direction, int stride, bool prune) {
+  void TakePartialOverlaps(const PreparedWindows& block, int group, int direction, int stride, Pruning pruning) {
     const int length = prepared_.length;
     const OverlapSide& side = direction > 0 ? prepared_.prefix : prepared_.suffix;
     tile::PartialArguments arguments{};
@@ -132,7 +128,7 @@ class Search {
     arguments.sums = memory_.sums.data();
     arguments.largest = memory_.largest.data();
     arguments.bounds = block.bounds(direction);
-    arguments.prune = prune;
+    arguments.prune = pruning != Pruning::kNone;
     arguments.length = length;
     arguments.block = prepared_.block;
     arguments.direction = direction;
@@ -176,7 +172,7 @@ class Search {
 }  // namespace
 
 void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
-                         const std::vector<Match>& hints, const MatchOptions& options, SearchMemory* memory,
+                         const std::vector<Match>& hints, Pruning pruning, SearchMemory* memory,
                          std::vector<Match>* matches) {
   const int length = windows.length();
   if (length != shapelets.length()) throw std::invalid_argument("windows and shapelets differ in length");
@@ -190,7 +186,7 @@ void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, con
   }
   Search search(loops, windows, shapelets, &memory->arrays(), matches);
   search.TakeHints(hints);
-  for (const WindowStretch& stretch : windows.stretches()) search.Run(stretch, options.prune);
+  for (const WindowStretch& stretch : windows.stretches()) search.Run(stretch, pruning);
 }
 
 }  // namespace contact_shapelets::core

@@ -9,6 +9,15 @@ namespace {
 /// speed after a while of narrower ones, some 2 microseconds.
 constexpr std::int64_t kSmallSearch = 50000;
 
+/// Samples of all shapelets together from which on the table of the windows' energies, which is made once for all of
+/// them, takes less time than it saves.
+constexpr int kSamplesForBounds = 650;
+
+Pruning BestPruning(const ShapeletSet& shapelets, const MatchOptions& options) {
+  if (!options.prune) return Pruning::kNone;
+  return shapelets.count() * shapelets.length() < kSamplesForBounds ? Pruning::kByEnergy : Pruning::kByBounds;
+}
+
 const tile::Loops& WidestLoops() {
   static const tile::Loops loops = RunnableLoops().back();
   return loops;
@@ -49,7 +58,8 @@ std::vector<tile::Loops> RunnableLoops() {
 
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
                      const MatchOptions& options, SearchMemory* memory, std::vector<Match>* matches) {
-  FindBestMatchesWith(BestLoops(windows, shapelets), windows, shapelets, hints, options, memory, matches);
+  FindBestMatchesWith(BestLoops(windows, shapelets), windows, shapelets, hints, BestPruning(shapelets, options), memory,
+                      matches);
 }
 
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,

@@ -140,14 +140,12 @@ struct TileLoops {
     return {__builtin_ctz(blocks) * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
-  /// The overlaps within which so much of a shapelet's energy lies that it can exceed its best, whatever the window:
-  /// those of the shapelets `from` ... `end` - 1 of the group together.
-  static Range OverlapsByEnergy(const PartialArguments& arguments, int from, int end) {
-    int low = arguments.prune ? arguments.length : 1;
-    for (int i = from; i < end; ++i) {
-      const float least = arguments.best[i] * arguments.best[i];
-      while (low > 1 && arguments.energy[kGroup * (low - 1) + i] >= least) --low;
-    }
+  /// The overlaps within which so much of a shapelet's energy lies that it can exceed its best, whatever the window.
+  static Range OverlapsByEnergy(const PartialArguments& arguments, int shapelet) {
+    if (!arguments.prune) return {1, arguments.length - 1};
+    const float least = arguments.best[shapelet] * arguments.best[shapelet];
+    int low = arguments.length;
+    while (low > 1 && arguments.energy[kGroup * (low - 1) + shapelet] >= least) --low;
     return {low, arguments.length - 1};
   }
 
@@ -252,22 +250,49 @@ struct TileLoops {
       if (ranges[i].low < all.low) all.low = ranges[i].low;
       if (ranges[i].high > all.high) all.high = ranges[i].high;
     }
-    return AnyBetter<Count>(arguments, members, tile, all);
+    if (arguments.bounds == nullptr) all = Reaching(arguments, tile, all);
+    return all.low <= all.high ? AnyBetter<Count>(arguments, members, tile, all) : 0U;
   }
 
-  /// FindBetter() where shapelets' energies alone prune: overlaps are the same for all shapelets.
+  /// The shapelets of a group that are useful in a tile, by their index in it, and their overlaps.
+  struct Useful {
+    int members[kGroup];
+    Range ranges[kGroup];
+    int count = 0;
+
+    void Add(int member, Range range) {
+      members[count] = member;
+      ranges[count++] = range;
+    }
+  };
+
+  static unsigned AnyOfUseful(const PartialArguments& arguments, const Useful& useful, int tile) {
+    unsigned better = 0;
+    int done = 0;
+    if (kTogether >= 4 && useful.count == 4) {
+      better = AnyOfThese<4>(arguments, useful.members, useful.ranges, tile);
+      done = 4;
+    } else if (kTogether >= 3 && useful.count == 3) {
+      better = AnyOfThese<3>(arguments, useful.members, useful.ranges, tile);
+      done = 3;
+    }
+    for (; done + 2 <= useful.count; done += 2) {
+      better |= AnyOfThese<2>(arguments, useful.members + done, useful.ranges + done, tile);
+    }
+    if (done < useful.count) better |= AnyOfThese<1>(arguments, useful.members + done, useful.ranges + done, tile);
+    return better;
+  }
+
+  /// FindBetter() where shapelets' energies alone prune: the same shapelets and overlaps are useful in all tiles.
   static int FindBetterByEnergy(const PartialArguments& arguments, int tile, int end, unsigned* better) {
-    const Range by_energy = OverlapsByEnergy(arguments, 0, arguments.count);
-    if (by_energy.low > by_energy.high) return end;
-    for (*better = 0; tile < end; ++tile) {
-      const Range range = Reaching(arguments, tile, by_energy);
-      if (range.low > range.high) continue;
-      if (kTogether >= 4 && arguments.count > 2) {
-        *better = AnyBetter<4>(arguments, {{0, 1, 2, 3}}, tile, range);
-      } else {
-        *better = AnyBetter<2>(arguments, {{0, 1}}, tile, range);
-        if (arguments.count > 2) *better |= AnyBetter<2>(arguments, {{2, 3}}, tile, range);
-      }
+    Useful useful;
+    for (int i = 0; i < arguments.count; ++i) {
+      const Range range = OverlapsByEnergy(arguments, i);
+      if (range.low <= range.high) useful.Add(i, range);
+    }
+    if (useful.count == 0) return end;
+    for (; tile < end; ++tile) {
+      *better = AnyOfUseful(arguments, useful, tile);
       if (*better != 0) break;
     }
     return tile;
@@ -280,25 +305,11 @@ struct TileLoops {
       unsigned blocks[kGroup] = {};
       for (int i = 0; i < arguments.count; ++i) blocks[i] = UsefulBlocks(arguments, i, tile, has_full);
       if ((blocks[0] | blocks[1] | blocks[2] | blocks[3]) == 0) continue;
-      int members[kGroup];
-      Range ranges[kGroup];
-      int count = 0;
+      Useful useful;
       for (int i = 0; i < arguments.count; ++i) {
-        if (blocks[i] == 0) continue;
-        ranges[count] = OverlapsOf(arguments, blocks[i]);
-        members[count++] = i;
+        if (blocks[i] != 0) useful.Add(i, OverlapsOf(arguments, blocks[i]));
       }
-      *better = 0;
-      int done = 0;
-      if (kTogether >= 4 && count == 4) {
-        *better = AnyOfThese<4>(arguments, members, ranges, tile);
-        done = 4;
-      } else if (kTogether >= 3 && count == 3) {
-        *better = AnyOfThese<3>(arguments, members, ranges, tile);
-        done = 3;
-      }
-      for (; done + 2 <= count; done += 2) *better |= AnyOfThese<2>(arguments, members + done, ranges + done, tile);
-      if (done < count) *better |= AnyOfThese<1>(arguments, members + done, ranges + done, tile);
+      *better = AnyOfUseful(arguments, useful, tile);
       if (*better != 0) break;
     }
     return tile;
@@ -309,7 +320,7 @@ struct TileLoops {
     Integers at[Vectors] = {};
     const Range range =
         arguments.bounds == nullptr
-            ? Reaching(arguments, tile, OverlapsByEnergy(arguments, shapelet, shapelet + 1))
+            ? Reaching(arguments, tile, OverlapsByEnergy(arguments, shapelet))
             : OverlapsOf(arguments, UsefulBlocks(arguments, shapelet, tile, HasFullOverlaps(arguments, tile)));
     Walk<1>(arguments, {{shapelet}}, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
