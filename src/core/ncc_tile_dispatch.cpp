@@ -5,8 +5,9 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Multiply-adds of full overlaps under which a search takes less time than vectors of 512 bits take to be at full
-/// speed after a while of narrower ones, some 2 microseconds.
+/// Multiply-adds of full overlaps under which a search has vectors of 256 bits at the most. After a while without them,
+/// those of 512 bits may take up to 2 microseconds to be at full speed: as long as so small a search, to which they
+/// bring a few tenths at best.
 constexpr std::int64_t kSmallSearch = 50000;
 
 /// Samples of all shapelets together from which on the table of the windows' energies, which is made once for all of
