@@ -61,11 +61,12 @@ void KernelAgainstFftw(benchmark::State& state) {
   FftwMatcher fftw(shapelets);
   std::vector<double> seconds;
   std::vector<double> reference;
+  core::SearchMemory memory;
   std::vector<Match> matches;
   for (auto _ : state) {
     for (const Eigen::VectorXf& series : workload.series) {
       const WindowSet windows(series, shapelets.length(), FlatDeviation(state));
-      seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{}, &matches); }));
+      seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{}, &memory, &matches); }));
       reference.push_back(SecondsOf([&] { benchmark::DoNotOptimize(fftw.BestMatches(windows)); }));
     }
     Report(&state, Quantile(seconds, 0.5), Quantile(reference, 0.5));
@@ -91,11 +92,13 @@ void UnprunedKernelAgainstPeak(benchmark::State& state) {
   double multiply_adds = 0.0;
   std::vector<double> seconds;
   std::vector<double> peak;
+  core::SearchMemory memory;
   std::vector<Match> matches;
   for (auto _ : state) {
     for (const Eigen::VectorXf& series : workload.series) {
       const WindowSet windows(series, shapelets.length(), FlatDeviation(state));
-      seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{false}, &matches); }));
+      seconds.push_back(
+          SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{false}, &memory, &matches); }));
       peak.push_back(SecondsOf([&] { multiply_adds = MultiplyAdds(core::KernelInstructionSet(), kPeakRounds); }));
     }
     const double at_peak = kShapelets * NeededMultiplyAdds(shapelets.length()) * Quantile(peak, 0.5) / multiply_adds;
@@ -135,12 +138,13 @@ void KernelAgainstNaiveLoop(benchmark::State& state) {
   const ShapeletSet shapelets(workload.shapelets);
   std::vector<double> seconds;
   std::vector<double> reference;
+  core::SearchMemory memory;
   std::vector<Match> matches;
   for (auto _ : state) {
     for (std::size_t index = 0; index < 20; ++index) {
       const Eigen::VectorXf& series = workload.series[index];
       const WindowSet windows(series, shapelets.length(), FlatDeviation(state));
-      seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{}, &matches); }));
+      seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{}, &memory, &matches); }));
       // One shapelet of all is enough for the naive loop, which takes each as long.
       const float* shapelet = shapelets.normalised().col(static_cast<Eigen::Index>(index) % kShapelets).data();
       reference.push_back(kShapelets * SecondsOf([&] {

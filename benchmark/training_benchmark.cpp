@@ -98,11 +98,12 @@ void FeaturesOfOneEpisode(benchmark::State& state) {
   const core::Model& model = DefaultTraining().result.model;
   const core::FeatureExtractor extractor(model.shapelets, model.flat_fraction);
   const std::vector<core::Episode> pushes = SwitchPushes(200, 6);
+  core::FeatureMemory memory;
   std::vector<double> seconds;
   for (auto _ : state) {
     for (int round = 0; round < 5; ++round) {
       for (const core::Episode& push : pushes) {
-        seconds.push_back(SecondsOf([&] { benchmark::DoNotOptimize(extractor.Compute(push.force)); }));
+        seconds.push_back(SecondsOf([&] { benchmark::DoNotOptimize(extractor.Compute(push.force, &memory)); }));
       }
     }
     Report(&state, Quantile(seconds, 0.5), FftwSecondsPerPush(model, SwitchPushes(7, 7)));

@@ -10,18 +10,16 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// What a match compares a shapelet with: the z-normalised window, shifted, zeros where it does not overlap.
-Eigen::VectorXd MatchedValues(const WindowSet& windows, const Match& match) {
-  const Eigen::VectorXd window = windows.NormalisedWindow(match.window).cast<double>();
-  const auto length = static_cast<int>(window.size());
-  const int overlap = length - std::abs(match.shift);
-  Eigen::VectorXd matched = Eigen::VectorXd::Zero(length);
-  if (match.shift >= 0) {
-    matched.head(overlap) = window.tail(overlap);
-  } else {
-    matched.tail(overlap) = window.head(overlap);
-  }
-  return matched;
+/// Adds `weight` times what a match compares a shapelet with: the z-normalised window, shifted, zeros where it does not
+/// overlap.
+void AddMatchedValues(const WindowSet& windows, const Match& match, double weight, Eigen::VectorXd* sum) {
+  const int overlap = windows.length() - std::abs(match.shift);
+  const auto samples = windows.series().segment(match.window + std::max(0, match.shift), overlap);
+  const double mean = windows.mean()[match.window];
+  const double inverse = windows.inverse_deviation()[match.window];
+  // Rounded as the windows that the kernel compares with.
+  sum->segment(std::max(0, -match.shift), overlap).array() +=
+      weight * ((samples.cast<double>().array() - mean) * inverse).cast<float>().cast<double>();
 }
 
 double Distance(const Match& match) { return match.window < 0 ? 1.0 : 1.0 - static_cast<double>(match.similarity); }
@@ -104,7 +102,7 @@ Eigen::MatrixXd BankLearner::ShapeletGradient(const std::vector<int>& chosen,
     for (std::size_t row = 0; row < chosen.size(); ++row) {
       const Match& match = matches_[chosen[row]][static_cast<std::size_t>(k)];
       if (match.window < 0) continue;
-      pull += distance_gradient(static_cast<Eigen::Index>(row), k) * MatchedValues(*windows_[chosen[row]], match);
+      AddMatchedValues(*windows_[chosen[row]], match, distance_gradient(static_cast<Eigen::Index>(row), k), &pull);
     }
     Eigen::VectorXd normalised = shapelets_.row(k).transpose();
     normalised.array() -= normalised.mean();

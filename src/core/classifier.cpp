@@ -40,11 +40,17 @@ Classifier::Classifier(Model model)
     : model_(Checked(std::move(model))), extractor_(model_.shapelets, model_.flat_fraction) {}
 
 Classification Classifier::Classify(const Episode& episode) const {
+  FeatureMemory memory;
+  return Classify(episode, &memory);
+}
+
+Classification Classifier::Classify(const Episode& episode, FeatureMemory* memory) const {
   if (!IsSamplePeriod(episode.sample_period)) throw std::invalid_argument("its sample period is not in [0.0001, 1] s");
   const bool same_period = std::abs(episode.sample_period / model_.sample_period - 1.0) < 1e-6;
   if (!same_period && episode.force.size() < 2) throw std::invalid_argument("the episode has fewer than 2 samples");
   Classification result;
-  result.features = extractor_.Compute(same_period ? episode.force : ForceAt(model_.sample_period, episode));
+  result.features = same_period ? extractor_.Compute(episode.force, memory)
+                                : extractor_.Compute(ForceAt(model_.sample_period, episode), memory);
 
   const Eigen::VectorXf features = model_.Features(result.features.distances.transpose()).transpose();
   Eigen::VectorXf distances(model_.clusters.size());

@@ -20,11 +20,22 @@ ShapeletSet SetOf(const std::vector<Shapelet>& shapelets, const std::vector<int>
   return ShapeletSet(rows);
 }
 
+/// The values first, first + step, ... of `series` followed by copies of its last value up to `length` values.
+void TakeEveryNth(const Eigen::Ref<const Eigen::VectorXf>& series, int length, int first, int step,
+                  std::vector<float>* values) {
+  const auto size = static_cast<int>(series.size());
+  values->clear();
+  for (int index = first; index < std::max(size, length); index += step) {
+    values->push_back(series[std::min(index, size - 1)]);
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXf Memberships(const Eigen::Ref<const Eigen::VectorXf>& distances) {
-  const Eigen::VectorXf kernel = (1.0F + distances.array()).inverse().matrix();
-  return kernel / kernel.sum();
+  Eigen::VectorXf memberships = (1.0F + distances.array()).inverse().matrix();
+  memberships /= memberships.sum();
+  return memberships;
 }
 
 FeatureExtractor::FeatureExtractor(const std::vector<Shapelet>& shapelets, double flat_fraction)
@@ -41,6 +52,12 @@ FeatureExtractor::FeatureExtractor(const std::vector<Shapelet>& shapelets, doubl
 }
 
 ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const {
+  FeatureMemory memory;
+  return Compute(series, &memory);
+}
+
+ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::VectorXf>& series,
+                                            FeatureMemory* memory) const {
   if (series.size() < 2) throw std::invalid_argument("the series has fewer than 2 samples");
   if (!series.allFinite()) throw std::invalid_argument("the series holds a value that is not finite");
   ShapeletDistances result;
@@ -48,13 +65,16 @@ ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::Vector
   result.match_start = Eigen::VectorXi::Constant(shapelet_count_, -1);
   result.match_span = Eigen::VectorXi::Zero(shapelet_count_);
   const double flat_deviation = flat_fraction_ * StandardDeviation(series);
-  std::vector<Match> matches;
+  const std::vector<Match>& matches = memory->matches;
   for (const Group& group : groups_) {
     const int reach = Reach(group.set.length(), group.dilation);
-    const Eigen::VectorXf extended = ExtendedTo(series, reach);
-    for (int phase = 0; phase < group.dilation && phase + reach <= extended.size(); ++phase) {
-      const WindowSet windows(EveryNth(extended, phase, group.dilation), group.set.length(), flat_deviation);
-      FindBestMatches(windows, group.set, {}, MatchOptions{}, &matches);
+    const int samples = std::max(reach, static_cast<int>(series.size()));
+    for (int phase = 0; phase < group.dilation && phase + reach <= samples; ++phase) {
+      TakeEveryNth(series, reach, phase, group.dilation, &memory->values);
+      const Eigen::Map<const Eigen::VectorXf> values(memory->values.data(),
+                                                     static_cast<Eigen::Index>(memory->values.size()));
+      memory->windows.Assign(values, group.set.length(), flat_deviation);
+      FindBestMatches(memory->windows, group.set, {}, MatchOptions{}, &memory->search, &memory->matches);
       for (std::size_t member = 0; member < matches.size(); ++member) {
         const int index = group.shapelets[member];
         const float distance = 1.0F - matches[member].similarity;

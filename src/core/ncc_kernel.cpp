@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <stdexcept>
 #include <vector>
 
@@ -19,12 +17,8 @@ constexpr float kMargin = 2e-6F;
 /// More than any value.
 constexpr float kBeyond = 2.0F;
 
-/// Energies that prune nothing.
-tile::Energies Whole() {
-  tile::Energies energies{};
-  std::fill(std::begin(energies.head), std::end(energies.head), 1.0F);
-  std::fill(std::begin(energies.tail), std::end(energies.tail), 1.0F);
-  return energies;
+void GrowTo(int size, std::vector<float>* values) {
+  if (values->size() < static_cast<std::size_t>(size)) values->resize(static_cast<std::size_t>(size));
 }
 
 /// CC_w of one window, by the definition, in double precision.
@@ -39,30 +33,39 @@ double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float*
 /// The search in a stretch of windows.
 class Search {
  public:
-  Search(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets, std::vector<Match>* matches)
-      : loops_(loops), windows_(windows), shapelets_(shapelets), prepared_(shapelets.prepared()), matches_(*matches) {}
+  Search(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets, SearchMemory::Arrays* memory,
+         std::vector<Match>* matches)
+      : loops_(loops),
+        windows_(windows),
+        shapelets_(shapelets),
+        prepared_(shapelets.prepared()),
+        memory_(*memory),
+        matches_(*matches) {}
 
+  /// `hints` may be the matches that this search writes to.
   void TakeHints(const std::vector<Match>& hints) {
     for (int k = 0; k < static_cast<int>(hints.size()); ++k) {
-      const Match& hint = hints[k];
+      const Match hint = hints[k];
+      matches_[k] = Match{};
       const bool possible = hint.window >= 0 && hint.window < windows_.window_count() &&
                             std::abs(hint.shift) < windows_.length() && !windows_.IsFlat(hint.window);
       if (possible) Offer(k, hint.window, hint.shift);
     }
   }
 
-  void Run(int first, int count, bool prune) {
-    const PreparedWindows block(loops_, windows_, first, count, prepared_.block, prune);
-    const int stride = block.full_tiles() * loops_.positions + tile::kPadding;
-    Eigen::ArrayXf sums(kGroup * stride);
-    largest_.resize(static_cast<std::size_t>(kGroup * block.full_tiles()));
+  void Run(const WindowStretch& stretch, Pruning pruning) {
+    PreparedWindows& block = memory_.windows;
+    block.Prepare(loops_, windows_, stretch, prepared_.block, pruning == Pruning::kByBounds);
+    const int stride = block.full_tiles() * loops_.positions;
+    GrowTo(kGroup * stride, &memory_.sums);
+    GrowTo(kGroup * block.full_tiles(), &memory_.largest);
     for (int group = 0; group < prepared_.groups; ++group) {
-      TakeFullOverlaps(block, group, stride, sums.data());
+      TakeFullOverlaps(block, group, stride);
       for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
         for (const int window : block.hard()) SearchInDouble(k, window);
       }
-      TakePartialOverlaps(block, group, 1, stride, sums.data(), prune);
-      TakePartialOverlaps(block, group, -1, stride, sums.data(), prune);
+      TakePartialOverlaps(block, group, 1, stride, pruning);
+      TakePartialOverlaps(block, group, -1, stride, pruning);
     }
   }
 
@@ -80,13 +83,14 @@ class Search {
     return std::max(0.0F, matches_[k].similarity) + kMargin;
   }
 
-  void TakeFullOverlaps(const PreparedWindows& block, int group, int stride, float* sums) {
+  void TakeFullOverlaps(const PreparedWindows& block, int group, int stride) {
     tile::FullArguments arguments{};
     arguments.series = block.series();
     arguments.shapelets = prepared_.prefix.values.col(prepared_.length * group).data();
     arguments.scale = block.scale();
-    arguments.sums = sums;
-    arguments.largest = largest_.data();
+    arguments.sums = memory_.sums.data();
+    arguments.largest = memory_.largest.data();
+    arguments.with_largest = block.bounds(1) != nullptr;
     arguments.length = prepared_.length;
     arguments.count = block.full_tiles() * loops_.positions;
     arguments.stride = stride;
@@ -109,26 +113,28 @@ class Search {
   }
 
   /// `direction` is 1 for shifts w > 0 and -1 for w < 0.
-  void TakePartialOverlaps(const PreparedWindows& block, int group, int direction, int stride, const float* sums,
-                           bool prune) {
+  void TakePartialOverlaps(const PreparedWindows& block, int group, int direction, int stride, Pruning pruning) {
     const int length = prepared_.length;
     const OverlapSide& side = direction > 0 ? prepared_.prefix : prepared_.suffix;
     tile::PartialArguments arguments{};
     arguments.values = &side.values(0, length * group);
     arguments.within = &side.within(0, length * group);
-    arguments.energies = prune ? &side.energies[static_cast<std::size_t>(group * kGroup)] : whole_.data();
+    arguments.energy = &side.energy(0, length * group);
+    arguments.energies = &side.energies[static_cast<std::size_t>(group * kGroup)];
     arguments.samples = block.series() + (direction > 0 ? 0 : length - 1);
     arguments.mean = block.mean() - direction * length;
     arguments.spread = block.spread() - direction * length;
     arguments.scale = block.scale() - direction * length;
-    arguments.sums = sums;
-    arguments.largest = largest_.data();
+    arguments.sums = memory_.sums.data();
+    arguments.largest = memory_.largest.data();
     arguments.bounds = block.bounds(direction);
+    arguments.prune = pruning != Pruning::kNone;
     arguments.length = length;
     arguments.block = prepared_.block;
     arguments.direction = direction;
     arguments.stride = stride;
     arguments.full_tiles = block.full_tiles();
+    arguments.windows = block.count();
     const int k = group * kGroup;
     arguments.count = std::min(kGroup, shapelets_.count() - k);
     for (int i = 0; i < kGroup; ++i) arguments.best[i] = Threshold(k + i);
@@ -159,27 +165,28 @@ class Search {
   const WindowSet& windows_;
   const ShapeletSet& shapelets_;
   const PreparedShapelets& prepared_;
-  const std::array<tile::Energies, kGroup> whole_{Whole(), Whole(), Whole(), Whole()};
-  std::vector<float> largest_;  ///< full overlap of a group in each tile, interleaved
+  SearchMemory::Arrays& memory_;
   std::vector<Match>& matches_;
 };
 
 }  // namespace
 
 void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
-                         const std::vector<Match>& hints, const MatchOptions& options, std::vector<Match>* matches) {
+                         const std::vector<Match>& hints, Pruning pruning, SearchMemory* memory,
+                         std::vector<Match>* matches) {
   const int length = windows.length();
   if (length != shapelets.length()) throw std::invalid_argument("windows and shapelets differ in length");
   if (!hints.empty() && static_cast<int>(hints.size()) != shapelets.count()) {
     throw std::invalid_argument("there must be one hint for each shapelet, or none");
   }
-  std::vector<Match> found(static_cast<std::size_t>(shapelets.count()));
-  Search search(loops, windows, shapelets, &found);
-  search.TakeHints(hints);
-  for (const WindowStretch& stretch : windows.stretches()) {
-    search.Run(stretch.first, stretch.count, options.prune);
+  if (hints.empty()) {
+    matches->assign(static_cast<std::size_t>(shapelets.count()), Match{});
+  } else {
+    matches->resize(static_cast<std::size_t>(shapelets.count()));
   }
-  *matches = std::move(found);
+  Search search(loops, windows, shapelets, &memory->arrays(), matches);
+  search.TakeHints(hints);
+  for (const WindowStretch& stretch : windows.stretches()) search.Run(stretch, pruning);
 }
 
 }  // namespace contact_shapelets::core

@@ -12,20 +12,6 @@ using tile::kPadding;
 /// By Cauchy and Schwarz the rounding of a sum in single precision is at most some 6e-8 of the norm of the values near
 /// a window; where that is too much for the window's deviation, the window is summed up in double precision.
 constexpr double kHardRatio = 150.0;
-/// M sigma of a window that does not count: no sum exceeds it.
-constexpr float kNever = 1e30F;
-/// A bound that prunes nothing.
-constexpr float kUnbounded = 8.0F;
-
-/// Columns of PreparedWindows beside those that have a function: sums before a sample, and scratch.
-constexpr int kSums = 4;
-constexpr int kSquares = 5;
-constexpr int kHeads = 6;
-constexpr int kTails = 7;
-constexpr int kEnergyScale = 8;
-constexpr int kBeforeWindow = 9;
-constexpr int kToWindowEnd = 10;
-constexpr int kColumns = 11;
 
 /// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the
 /// most.
@@ -37,6 +23,7 @@ OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eig
   OverlapSide side;
   side.values = Eigen::MatrixXf::Zero(kGroup, length * prepared.groups);
   side.within = Eigen::MatrixXf::Zero(kGroup, length * prepared.groups);
+  side.energy = Eigen::MatrixXf::Zero(kGroup, length * prepared.groups);
   side.energies.resize(static_cast<std::size_t>(kGroup * prepared.groups));
   for (Eigen::Index k = 0; k < normalised.cols(); ++k) {
     const Eigen::Index row = k % kGroup;
@@ -47,6 +34,7 @@ OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eig
       const float value = normalised(reverse ? length - 1 - m : m, k);
       side.values(row, length * group + m) = value;
       side.within(row, length * group + m) = static_cast<float>(sum);
+      side.energy(row, length * group + m) = static_cast<float>(energy / length);
       sum += value;
       energy += static_cast<double>(value) * value;
       if (m + 1 == length) break;
@@ -62,6 +50,11 @@ OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eig
 
 }  // namespace
 
+SearchMemory::SearchMemory() : arrays_(std::make_unique<Arrays>()) {}
+SearchMemory::~SearchMemory() = default;
+SearchMemory::SearchMemory(SearchMemory&&) noexcept = default;
+SearchMemory& SearchMemory::operator=(SearchMemory&&) noexcept = default;
+
 PreparedShapelets::PreparedShapelets(const Eigen::Ref<const Eigen::MatrixXf>& normalised)
     : length(static_cast<int>(normalised.rows())),
       groups((static_cast<int>(normalised.cols()) + kGroup - 1) / kGroup),
@@ -71,27 +64,34 @@ PreparedShapelets::PreparedShapelets(const Eigen::Ref<const Eigen::MatrixXf>& no
   suffix = SideOf(*this, normalised, true);
 }
 
-PreparedWindows::PreparedWindows(const tile::Loops& loops, const WindowSet& windows, int first, int count, int block,
-                                 bool prune)
-    : length_(windows.length()),
-      first_(first),
-      count_(count),
-      tile_(loops.positions),
-      further_tiles_((length_ - 1 + tile_ - 1) / tile_),
-      margin_(length_ + 2 * kPadding),
-      block_(block),
-      values_(Eigen::ArrayXXf::Zero(count + length_ - 1 + 2 * margin_, kColumns)),
-      bounds_(static_cast<std::size_t>(2 * all_tiles())) {
+void PreparedWindows::Prepare(const tile::Loops& loops, const WindowSet& windows, const WindowStretch& stretch,
+                              int block, bool with_bounds) {
+  length_ = windows.length();
+  first_ = stretch.first;
+  count_ = stretch.count;
+  tile_ = loops.positions;
+  further_tiles_ = (length_ - 1 + tile_ - 1) / tile_;
+  margin_ = length_ + kPadding;
+  stride_ = count_ + length_ - 1 + 2 * margin_;
+  const auto size = static_cast<std::size_t>(stride_) * (with_bounds ? kColumns : kColumnsWithoutBounds);
+  if (values_.size() < size) values_.resize(size);
+  hard_.clear();
+  bounds_.clear();
   FillSeries(windows);
   FillWindows(loops, windows);
-  FillBounds(loops, prune);
+  if (with_bounds) FillBounds(loops, block);
+}
+
+void PreparedWindows::SetMargins(int column, int count, float before, float behind) {
+  std::fill(Column(column) - margin_, Column(column), before);
+  std::fill(Column(column) + count, Column(column) + stride_ - margin_, behind);
 }
 
 void PreparedWindows::FillSeries(const WindowSet& windows) {
   const int samples = count_ + length_ - 1;
   const auto part = windows.series().segment(first_, samples);
   centre_ = part.cast<double>().mean();
-  float* series = Column(0);
+  float* series = Column(kSeries);
   float* sums = Column(kSums);
   float* squares = Column(kSquares);
   double sum = 0.0;
@@ -99,17 +99,20 @@ void PreparedWindows::FillSeries(const WindowSet& windows) {
   for (int q = 0; q < samples; ++q) {
     const double value = static_cast<double>(part[q]) - centre_;
     series[q] = static_cast<float>(value);
+    sums[q] = static_cast<float>(sum);
+    squares[q] = static_cast<float>(square);
     sum += value;
     square += value * value;
-    sums[q + 1] = static_cast<float>(sum);
-    squares[q + 1] = static_cast<float>(square);
   }
-  values_.col(kSums).tail(margin_ - 1).setConstant(static_cast<float>(sum));
-  values_.col(kSquares).tail(margin_ - 1).setConstant(static_cast<float>(square));
+  SetMargins(kSeries, samples, 0.0F, 0.0F);
+  SetMargins(kSums, samples, 0.0F, static_cast<float>(sum));
+  SetMargins(kSquares, samples, 0.0F, static_cast<float>(square));
 }
 
 void PreparedWindows::FillWindows(const tile::Loops& loops, const WindowSet& windows) {
-  values_.col(2).setConstant(kNever);
+  SetMargins(kMean, count_, 0.0F, 0.0F);
+  SetMargins(kSpread, count_, tile::kNever, tile::kNever);
+  SetMargins(kScale, count_, 0.0F, 0.0F);
   tile::WindowArguments arguments{};
   arguments.mean = windows.mean().data() + first_;
   arguments.inverse = windows.inverse_deviation().data() + first_;
@@ -118,28 +121,30 @@ void PreparedWindows::FillWindows(const tile::Loops& loops, const WindowSet& win
   arguments.hard_ratio = kHardRatio * kHardRatio;
   arguments.length = length_;
   arguments.count = count_;
-  arguments.centred_mean = Column(1);
-  arguments.spread = Column(2);
-  arguments.scale = Column(3);
+  arguments.centred_mean = Column(kMean);
+  arguments.spread = Column(kSpread);
+  arguments.scale = Column(kScale);
   if (loops.window_values(arguments) == 0) return;
   for (int j = 0; j < count_; ++j) {
     if (scale()[j] == 0.0F && !windows.IsFlat(first_ + j)) hard_.push_back(first_ + j);
   }
 }
 
-void PreparedWindows::FillBounds(const tile::Loops& loops, bool prune) {
+void PreparedWindows::FillBounds(const tile::Loops& loops, int block) {
+  bounds_.assign(static_cast<std::size_t>(2 * all_tiles()), tile::Bounds{});
+  SetMargins(kHeads, count_, 0.0F, 0.0F);
+  SetMargins(kTails, count_, 0.0F, 0.0F);
   // The sums are rounded to 6e-8 of themselves. By Cauchy and Schwarz, a product of a mean and a sum is under the
   // squares' sum times the root of how often the window fits.
-  const float squares = values_(values_.rows() - 1, kSquares);
+  const float squares = Column(kSquares)[count_ + length_ - 1];
   tile::BoundArguments arguments{};
   arguments.sums = Column(kSums);
   arguments.squares = Column(kSquares);
   arguments.mean = mean();
   arguments.scale = scale();
   arguments.rounding = 2e-6F * squares * std::sqrt(1.0F + static_cast<float>(count_) / static_cast<float>(length_));
-  arguments.unbounded = prune ? 0.0F : kUnbounded;
   arguments.length = length_;
-  arguments.block = block_;
+  arguments.block = block;
   arguments.count = count_;
   arguments.further_tiles = further_tiles_;
   arguments.tiles = all_tiles();

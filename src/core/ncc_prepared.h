@@ -15,6 +15,7 @@ namespace contact_shapelets::core {
 struct OverlapSide {
   Eigen::MatrixXf values;  ///< [kGroup, M G]: of group g at column M g, from the end that always overlaps
   Eigen::MatrixXf within;  ///< [kGroup, M G]: sums of the first values; the overlap of 0 samples at column M g
+  Eigen::MatrixXf energy;  ///< [kGroup, M G]: the part of the energy in the first values, in the same way
   std::vector<tile::Energies> energies;  ///< [kGroup G]
 };
 
@@ -34,8 +35,9 @@ struct PreparedShapelets {
 /// stretch.
 class PreparedWindows {
  public:
-  /// Takes `count` windows from `first` on.
-  PreparedWindows(const tile::Loops& loops, const WindowSet& windows, int first, int count, int block, bool prune);
+  /// Takes the windows of `stretch` in place of those before; `block` is that of the shapelets. Memory is kept.
+  void Prepare(const tile::Loops& loops, const WindowSet& windows, const WindowStretch& stretch, int block,
+               bool with_bounds);
 
   int first() const { return first_; }
   int count() const { return count_; }
@@ -46,35 +48,60 @@ class PreparedWindows {
   /// Windows too close to their rounding for single precision, counted from the first one of the set.
   const std::vector<int>& hard() const { return hard_; }
 
-  const float* series() const { return Column(0); }
-  const float* mean() const { return Column(1); }
-  const float* spread() const { return Column(2); }
-  const float* scale() const { return Column(3); }
-  /// Bounds by tile for the overlaps of a direction, 1 or -1.
+  const float* series() const { return Column(kSeries); }
+  const float* mean() const { return Column(kMean); }
+  const float* spread() const { return Column(kSpread); }
+  const float* scale() const { return Column(kScale); }
+  /// Bounds by tile for the overlaps of a direction, 1 or -1; null where there are none.
   const tile::Bounds* bounds(int direction) const {
-    return bounds_.data() + further_tiles_ + (direction > 0 ? 0 : all_tiles());
+    return bounds_.empty() ? nullptr : bounds_.data() + further_tiles_ + (direction > 0 ? 0 : all_tiles());
   }
 
  private:
+  /// Columns: these by position or window, sums before a sample, and what the making of the bounds needs.
+  enum : int {
+    kSeries,
+    kMean,
+    kSpread,
+    kScale,
+    kSums,
+    kSquares,
+    kColumnsWithoutBounds,
+    kHeads = kColumnsWithoutBounds,
+    kTails,
+    kEnergyScale,
+    kBeforeWindow,
+    kToWindowEnd,
+    kColumns
+  };
+
   int all_tiles() const { return full_tiles() + 2 * further_tiles_; }
-  const float* Column(int index) const { return &values_(margin_, index); }
-  float* Column(int index) { return &values_(margin_, index); }
+  const float* Column(int index) const { return values_.data() + index * stride_ + margin_; }
+  float* Column(int index) { return values_.data() + index * stride_ + margin_; }
+  /// Sets what a column has before its first and from its `count`-th value on.
+  void SetMargins(int column, int count, float before, float behind);
   void FillSeries(const WindowSet& windows);
   void FillWindows(const tile::Loops& loops, const WindowSet& windows);
-  void FillBounds(const tile::Loops& loops, bool prune);
+  void FillBounds(const tile::Loops& loops, int block);
 
-  int length_;
-  int first_;
-  int count_;
-  int tile_;
-  int further_tiles_;
-  int margin_;  ///< what positions may jut out
-  int block_;
+  int length_ = 0;
+  int first_ = 0;
+  int count_ = 0;
+  int tile_ = 1;
+  int further_tiles_ = 0;
+  int margin_ = 0;  ///< what positions may jut out
+  int stride_ = 0;  ///< between columns
   double centre_ = 0.0;
-  Eigen::ArrayXXf values_;  ///< by position or window in columns, all with a margin on both sides: see the functions
-                            ///< above; then the sums and squared sums before a sample, and scratch
+  std::vector<float> values_;  ///< by position or window in columns, all with a margin on both sides
   std::vector<tile::Bounds> bounds_;
   std::vector<int> hard_;
+};
+
+/// What a search writes to, kept from one to the next.
+struct SearchMemory::Arrays {
+  PreparedWindows windows;
+  std::vector<float> sums;     ///< full overlaps of a group of shapelets
+  std::vector<float> largest;  ///< of these in each tile, interleaved
 };
 
 }  // namespace contact_shapelets::core

@@ -14,8 +14,16 @@ namespace contact_shapelets::core {
 /// The inner loops that this machine can run, from what every machine of its architecture runs to the widest.
 std::vector<tile::Loops> RunnableLoops();
 
-/// FindBestMatches() with the given loops.
+/// What a search leaves out of the partial overlaps. The result is the same.
+enum class Pruning {
+  kNone,
+  kByEnergy,  ///< what the shapelets' energies alone show that cannot win
+  kByBounds,  ///< what a table of the windows' energies shows, too
+};
+
+/// FindBestMatches() with the given loops and pruning.
 void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
-                         const std::vector<Match>& hints, const MatchOptions& options, std::vector<Match>* matches);
+                         const std::vector<Match>& hints, Pruning pruning, SearchMemory* memory,
+                         std::vector<Match>* matches);
 
 }  // namespace contact_shapelets::core

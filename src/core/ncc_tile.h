@@ -14,8 +14,11 @@ namespace contact_shapelets::core::tile {
 
 /// Shapelets whose values are interleaved, sample by sample, and that share a pass of overlaps.
 constexpr int kGroup = 4;
-/// Readable floats that arrays by position or window have before their first and behind their last used value.
+/// Readable floats that arrays by position or window have before their first and behind their last used value, beside
+/// the length of a shapelet.
 constexpr int kPadding = 64;
+/// M sigma of a window that does not count: no sum exceeds it.
+constexpr float kNever = 1e30F;
 
 /// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count,
 /// rounded up to whole tiles, and the largest sum times scale.
@@ -26,6 +29,7 @@ struct FullArguments {
   float* sums;
   float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]; -1 where no window of a tile counts, and
                    ///< `sums` are left out
+  bool with_largest;  ///< else anything of 0 or more stands in `largest` where a window of a tile counts
   int length;
   int count;
   int stride;
@@ -55,6 +59,7 @@ struct Energies {
 struct PartialArguments {
   const float* values;       ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
   const float* within;       ///< by overlap from 0: the sum of the shapelet's values within, interleaved
+  const float* energy;       ///< by overlap from 0: the part of the shapelet's energy within, interleaved
   const float* samples;      ///< of the series: the overlap's last sample at position 0 and overlap 1
   const float* mean;         ///< mu of the window of position 0 and overlap 0
   const float* spread;       ///< M sigma of that window; huge where a window does not count
@@ -62,8 +67,10 @@ struct PartialArguments {
   const float* sums;         ///< full overlaps at position 0
   const float* largest;      ///< full overlap by tile, interleaved; -1 where a tile has none
   const Energies* energies;  ///< of the shapelets
-  const Bounds* bounds;      ///< by tile
+  const Bounds* bounds;      ///< by tile; none where `energy` alone is to prune
+  bool prune;                ///< else all overlaps are searched, and `bounds` are left out
   int length;                ///< M
+  int windows;               ///< in the stretch
   int count;                 ///< shapelets in the group
   int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
   int direction;
@@ -88,7 +95,7 @@ struct WindowArguments {
   int length;             ///< M
   int count;              ///< windows
   float* centred_mean;    ///< to be filled where a window counts and is not hard, as `spread` and `scale` are
-  float* spread;          ///< M sigma
+  float* spread;          ///< M sigma; `kNever` elsewhere
   float* scale;           ///< 1 / (M sigma)
 };
 
@@ -99,7 +106,6 @@ struct BoundArguments {
   const float* mean;     ///< mu by window
   const float* scale;    ///< 1 / (M sigma) by window; 0 where a window does not count
   float rounding;        ///< what these sums may be off by, in the unit of the squares
-  float unbounded;       ///< 0, or an energy that is put in place of all: nothing is pruned
   int length;            ///< M
   int block;             ///< overlaps in a block
   int count;             ///< windows
@@ -117,7 +123,8 @@ struct BoundArguments {
 /// The loops for one instruction set.
 struct Loops {
   const char* name;
-  int positions;  ///< in a tile
+  int positions;    ///< in a tile
+  int vector_bits;  ///< of a vector
   void (*full_overlaps)(const FullArguments& arguments, FullResult* result);
   /// The first tile of tile ... end - 1 in which a shapelet of the group exceeds its `best`, and a bit in `better` for
   /// each that does; `end` where there is none.
@@ -136,7 +143,9 @@ Loops BaselineLoops();
 #if defined(__x86_64__)
 /// For machines with AVX2 and FMA.
 Loops Avx2Loops();
-/// For machines with AVX-512 F, VL, DQ and BW.
+/// For machines with AVX-512 F, VL, DQ and BW: its registers in half their width.
+Loops Avx512HalfLoops();
+/// The same in full.
 Loops Avx512Loops();
 #endif
 

@@ -16,13 +16,18 @@ struct TileLoops {
   using Vector = typename Of::Floats;
   using Integers = typename Of::Integers;
   static constexpr int kPositions = Lanes * Vectors;
+#if defined(__AVX512VL__)
+  static constexpr bool kManyRegisters = true;
+#else
+  static constexpr bool kManyRegisters = false;
+#endif
   /// Tiles that share a pass of full overlaps: as many as the registers hold.
-  static constexpr int kFullTiles = Lanes == 16 ? 2 : 1;
+  static constexpr int kFullTiles = kManyRegisters ? 2 : 1;
   /// Shapelets that share a pass of partial overlaps: as many as the registers hold.
-  static constexpr int kTogether = Lanes == 16 ? 4 : 2;
+  static constexpr int kTogether = kManyRegisters ? 4 : 2;
   /// A full overlap that may be anything.
   static constexpr float kUnknown = 1e30F;
-  static_assert(kPositions <= kPadding, "tiles reach beyond the padding");
+  static_assert(2 * kPositions <= kPadding, "tiles reach beyond the padding");
 
   static Vector Load(const float* from) { return Of::template Load<Vector>(from); }
 
@@ -64,7 +69,8 @@ struct TileLoops {
       }
     }
     for (int tile = 0; tile < Tiles; ++tile) {
-      for (int i = 0; i < kGroup; ++i) {
+      arguments.largest[(position / kPositions + tile) * kGroup] = 0.0F;
+      for (int i = 0; arguments.with_largest && i < kGroup; ++i) {
         Vector largest = sum[i][tile * Vectors];
         for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][tile * Vectors + v]);
         const float value = Of::Largest(largest);
@@ -78,7 +84,7 @@ struct TileLoops {
     for (int i = 0; i < kGroup; ++i) most.value[i] = Vector{}, most.position[i] = Integers{};
     for (int position = 0; position < arguments.count; position += kPositions) {
       if (!AnyCounts(arguments.scale + position)) {
-        for (int i = 0; i < kGroup; ++i) arguments.largest[position / kPositions * kGroup + i] = -1.0F;
+        arguments.largest[position / kPositions * kGroup] = -1.0F;
         continue;
       }
       const int next = position + kPositions;
@@ -132,6 +138,25 @@ struct TileLoops {
   static Range OverlapsOf(const PartialArguments& arguments, unsigned blocks) {
     const int last = (32 - __builtin_clz(blocks)) * arguments.block;
     return {__builtin_ctz(blocks) * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
+  }
+
+  /// The overlaps within which so much of a shapelet's energy lies that it can exceed its best, whatever the window.
+  static Range OverlapsByEnergy(const PartialArguments& arguments, int shapelet) {
+    if (!arguments.prune) return {1, arguments.length - 1};
+    const float least = arguments.best[shapelet] * arguments.best[shapelet];
+    int low = arguments.length;
+    while (low > 1 && arguments.energy[kGroup * (low - 1) + shapelet] >= least) --low;
+    return {low, arguments.length - 1};
+  }
+
+  /// Those overlaps of the range by which the tile's positions reach a window.
+  static Range Reaching(const PartialArguments& arguments, int tile, Range range) {
+    const int first = tile * kPositions;
+    const int last = first + kPositions - 1;
+    const bool ahead = arguments.direction > 0;
+    const int low = ahead ? arguments.length - last : arguments.length + first - arguments.windows + 1;
+    const int high = ahead ? arguments.length - first + arguments.windows - 1 : arguments.length + last;
+    return {low > range.low ? low : range.low, high < range.high ? high : range.high};
   }
 
   /// Some shapelets of a group, by their index in it.
@@ -225,34 +250,66 @@ struct TileLoops {
       if (ranges[i].low < all.low) all.low = ranges[i].low;
       if (ranges[i].high > all.high) all.high = ranges[i].high;
     }
-    return AnyBetter<Count>(arguments, members, tile, all);
+    if (arguments.bounds == nullptr) all = Reaching(arguments, tile, all);
+    return all.low <= all.high ? AnyBetter<Count>(arguments, members, tile, all) : 0U;
+  }
+
+  /// The shapelets of a group that are useful in a tile, by their index in it, and their overlaps.
+  struct Useful {
+    int members[kGroup];
+    Range ranges[kGroup];
+    int count = 0;
+
+    void Add(int member, Range range) {
+      members[count] = member;
+      ranges[count++] = range;
+    }
+  };
+
+  static unsigned AnyOfUseful(const PartialArguments& arguments, const Useful& useful, int tile) {
+    unsigned better = 0;
+    int done = 0;
+    if (kTogether >= 4 && useful.count == 4) {
+      better = AnyOfThese<4>(arguments, useful.members, useful.ranges, tile);
+      done = 4;
+    } else if (kTogether >= 3 && useful.count == 3) {
+      better = AnyOfThese<3>(arguments, useful.members, useful.ranges, tile);
+      done = 3;
+    }
+    for (; done + 2 <= useful.count; done += 2) {
+      better |= AnyOfThese<2>(arguments, useful.members + done, useful.ranges + done, tile);
+    }
+    if (done < useful.count) better |= AnyOfThese<1>(arguments, useful.members + done, useful.ranges + done, tile);
+    return better;
+  }
+
+  /// FindBetter() where shapelets' energies alone prune: the same shapelets and overlaps are useful in all tiles.
+  static int FindBetterByEnergy(const PartialArguments& arguments, int tile, int end, unsigned* better) {
+    Useful useful;
+    for (int i = 0; i < arguments.count; ++i) {
+      const Range range = OverlapsByEnergy(arguments, i);
+      if (range.low <= range.high) useful.Add(i, range);
+    }
+    if (useful.count == 0) return end;
+    for (; tile < end; ++tile) {
+      *better = AnyOfUseful(arguments, useful, tile);
+      if (*better != 0) break;
+    }
+    return tile;
   }
 
   static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
+    if (arguments.bounds == nullptr) return FindBetterByEnergy(arguments, tile, end, better);
     for (; tile < end; ++tile) {
       const bool has_full = HasFullOverlaps(arguments, tile);
       unsigned blocks[kGroup] = {};
       for (int i = 0; i < arguments.count; ++i) blocks[i] = UsefulBlocks(arguments, i, tile, has_full);
       if ((blocks[0] | blocks[1] | blocks[2] | blocks[3]) == 0) continue;
-      int members[kGroup];
-      Range ranges[kGroup];
-      int count = 0;
+      Useful useful;
       for (int i = 0; i < arguments.count; ++i) {
-        if (blocks[i] == 0) continue;
-        ranges[count] = OverlapsOf(arguments, blocks[i]);
-        members[count++] = i;
+        if (blocks[i] != 0) useful.Add(i, OverlapsOf(arguments, blocks[i]));
       }
-      *better = 0;
-      int done = 0;
-      if (kTogether >= 4 && count == 4) {
-        *better = AnyOfThese<4>(arguments, members, ranges, tile);
-        done = 4;
-      } else if (kTogether >= 3 && count == 3) {
-        *better = AnyOfThese<3>(arguments, members, ranges, tile);
-        done = 3;
-      }
-      for (; done + 2 <= count; done += 2) *better |= AnyOfThese<2>(arguments, members + done, ranges + done, tile);
-      if (done < count) *better |= AnyOfThese<1>(arguments, members + done, ranges + done, tile);
+      *better = AnyOfUseful(arguments, useful, tile);
       if (*better != 0) break;
     }
     return tile;
@@ -261,8 +318,10 @@ struct TileLoops {
   static void MostInTile(const PartialArguments& arguments, int shapelet, int tile, TileResult* result) {
     Vector most[Vectors] = {};
     Integers at[Vectors] = {};
-    const bool has_full = HasFullOverlaps(arguments, tile);
-    const Range range = OverlapsOf(arguments, UsefulBlocks(arguments, shapelet, tile, has_full));
+    const Range range =
+        arguments.bounds == nullptr
+            ? Reaching(arguments, tile, OverlapsByEnergy(arguments, shapelet))
+            : OverlapsOf(arguments, UsefulBlocks(arguments, shapelet, tile, HasFullOverlaps(arguments, tile)));
     Walk<1>(arguments, {{shapelet}}, tile, range, [&](const Sums<1>& sums, int window, int overlap) {
       const float within = arguments.within[kGroup * overlap + shapelet];
       for (int v = 0; v < Vectors; ++v) {
@@ -274,16 +333,17 @@ struct TileLoops {
         at[v] = greater ? Integers{} + overlap : at[v];
       }
     });
-    *result = {0.0F, 0, 0};
-    float values[kPositions];
-    int overlaps[kPositions];
-    for (int v = 0; v < Vectors; ++v) {
-      Of::Store(values + v * Lanes, most[v]);
-      Of::Store(overlaps + v * Lanes, at[v]);
-    }
-    for (int position = 0; position < kPositions; ++position) {
-      if (values[position] <= result->value) continue;
-      *result = {values[position], tile * kPositions + position, overlaps[position]};
+    Vector largest = most[0];
+    for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, most[v]);
+    *result = {Of::Largest(largest), 0, 0};
+    for (int v = Vectors - 1; v >= 0; --v) {
+      const unsigned lanes = Of::Signs(most[v] == result->value);
+      if (lanes == 0) continue;
+      const int lane = __builtin_ctz(lanes);
+      int overlaps[Lanes];
+      Of::Store(overlaps, at[v]);
+      result->position = tile * kPositions + v * Lanes + lane;
+      result->overlap = overlaps[lane];
     }
   }
 
@@ -296,16 +356,25 @@ struct TileLoops {
     }
     double parts[Lanes / 2];
     Of::Store(parts, sum);
-    double total = 0.0;
-    for (const double part : parts) total += part;
+    for (int half = Lanes / 4; half > 0; half /= 2) {
+      for (int part = 0; part < half; ++part) parts[part] += parts[part + half];
+    }
+    double total = parts[0];
     for (; m < count; ++m) total += static_cast<double>(shapelet[m]) * (static_cast<double>(samples[m]) - mean);
     return total;
   }
 
   static Loops All(const char* name) {
     using Prepare = PreparationLoops<Lanes, Vectors>;
-    return {name,       kPositions,  FullOverlaps,          FindBetter,
-            MostInTile, Correlation, Prepare::WindowValues, Prepare::AllBounds};
+    return {name,
+            kPositions,
+            32 * Lanes,
+            FullOverlaps,
+            FindBetter,
+            MostInTile,
+            Correlation,
+            Prepare::WindowValues,
+            Prepare::AllBounds};
   }
 };
 

@@ -28,7 +28,7 @@ struct PreparationLoops {
       const bool counts = inverse != 0.0 && !hard;
       hard_count += hard ? 1 : 0;
       arguments.centred_mean[j] = counts ? static_cast<float>(arguments.mean[j] - arguments.centre) : 0.0F;
-      arguments.spread[j] = counts ? static_cast<float>(length / inverse) : arguments.spread[j];
+      arguments.spread[j] = counts ? static_cast<float>(length / inverse) : kNever;
       arguments.scale[j] = counts ? static_cast<float>(inverse / length) : 0.0F;
     }
     return hard_count;
@@ -45,10 +45,6 @@ struct PreparationLoops {
   /// energies[j] = sum (t - mu_j)^2 / (M sigma_j^2) over the samples from j + at to where `fixed` was taken, or a
   /// little more. `sign` is 1 where these come after j + at, and -1 where they come before.
   static void Energies(const BoundArguments& arguments, const float* fixed, float sign, int at, float* energies) {
-    if (arguments.unbounded > 0.0F) {
-      for (int window = 0; window < arguments.count; ++window) energies[window] = arguments.unbounded;
-      return;
-    }
     for (int window = 0; window < arguments.count; window += Lanes) {
       const Vector energy = sign * (Load(fixed + window) - EnergyBefore(arguments, window, at)) + arguments.rounding;
       Of::Store(energies + window, energy * Load(arguments.energy_scale + window));

@@ -9,39 +9,59 @@
 
 namespace contact_shapelets::core {
 
-WindowSet::WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation)
-    : length_(length), series_(series) {
+WindowSet::WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation) {
+  Assign(series, length, flat_deviation);
+}
+
+void WindowSet::Assign(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation) {
   if (length < 2) throw std::invalid_argument("a window must have at least 2 samples");
   if (length > series.size()) {
     throw std::invalid_argument("a window of " + std::to_string(length) + " samples does not fit into a series of " +
                                 std::to_string(series.size()));
   }
   if (!series.allFinite()) throw std::invalid_argument("the series holds a value that is not finite");
-  const auto windows = static_cast<int>(series.size()) - length + 1;
+  length_ = length;
+  series_.assign(series.data(), series.data() + series.size());
+  FindStatistics(flat_deviation);
+  FindStretches();
+}
+
+void WindowSet::FindStatistics(double flat_deviation) {
+  const auto windows = series_.size() - static_cast<std::size_t>(length_) + 1;
   mean_.resize(windows);
   inverse_deviation_.resize(windows);
 
   // Sums of the centred series keep a large offset from swallowing a small deviation.
-  const double centre = series.cast<double>().mean();
-  const Eigen::ArrayXd centred = series.cast<double>().array() - centre;
+  const auto values = series().cast<double>().array();
+  const double centre = values.mean();
+  const auto centred = values - centre;
   const double rounding = 1e-6 * std::sqrt(centred.square().mean());
   const double least = std::max(flat_deviation, std::max(rounding, 1e-7 * std::abs(centre)));
-  double sum = centred.head(length).sum();
-  double squares = centred.head(length).square().sum();
-  for (int window = 0; window < windows; ++window) {
-    if (window > 0) {
-      const double out = centred[window - 1];
-      const double in = centred[window + length - 1];
-      sum += in - out;
-      squares += in * in - out * out;
-    }
-    const double mean = sum / length;
-    const double deviation = std::sqrt(std::max(0.0, squares / length - mean * mean));
-    mean_[window] = mean + centre;
-    inverse_deviation_[window] = deviation > least ? 1.0 / deviation : 0.0;
-    if (deviation > least) ++usable_window_count_;
+  double sum = centred.head(length_).sum();
+  double squares = centred.head(length_).square().sum();
+  const float* out = series_.data();
+  const float* in = series_.data() + length_;
+  for (std::size_t window = 0; window + 1 < windows; ++window) {
+    mean_[window] = sum;
+    inverse_deviation_[window] = squares;
+    const double leaves = static_cast<double>(out[window]) - centre;
+    const double enters = static_cast<double>(in[window]) - centre;
+    sum += enters - leaves;
+    squares += enters * enters - leaves * leaves;
   }
-  FindStretches();
+  mean_.back() = sum;
+  inverse_deviation_.back() = squares;
+
+  // Apart from the sums, since roots and divisions of several windows can then be taken at the same time.
+  Eigen::Map<Eigen::ArrayXd> means(mean_.data(), SizeOf(mean_));
+  Eigen::Map<Eigen::ArrayXd> deviations(inverse_deviation_.data(), SizeOf(mean_));
+  means /= length_;
+  deviations = (deviations / length_ - means.square()).max(0.0).sqrt();
+  means += centre;
+  for (double& deviation : inverse_deviation_) {
+    const double inverse = 1.0 / deviation;
+    deviation = deviation > least ? inverse : 0.0;
+  }
 }
 
 void WindowSet::FindStretches() {
@@ -49,8 +69,11 @@ void WindowSet::FindStretches() {
   // ends in time, since the kernel centres values on the mean of a stretch.
   const int gap = length_ + 64;
   const int most = std::max(1024, 4 * length_);
+  stretches_.clear();
+  usable_window_count_ = 0;
   for (int window = 0; window < window_count(); ++window) {
     if (IsFlat(window)) continue;
+    ++usable_window_count_;
     const bool joins = !stretches_.empty() && window - stretches_.back().first < most &&
                        window - (stretches_.back().first + stretches_.back().count) < gap;
     if (!joins) stretches_.push_back({window, 0});
@@ -59,7 +82,7 @@ void WindowSet::FindStretches() {
 }
 
 Eigen::VectorXf WindowSet::NormalisedWindow(int window) const {
-  return ((series_.segment(window, length_).cast<double>().array() - mean_[window]) * inverse_deviation_[window])
+  return ((series().segment(window, length_).cast<double>().array() - mean()[window]) * inverse_deviation()[window])
       .cast<float>()
       .matrix();
 }

@@ -24,7 +24,9 @@ Eigen::MatrixXd DistanceGradient(const Eigen::Ref<const Eigen::MatrixXd>& distan
 Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXf>& series) {
   const Eigen::MatrixXd values = series.cast<double>();
   const Eigen::VectorXd energy = values.rowwise().squaredNorm();
-  Eigen::MatrixXd squared = -2.0 * values * values.transpose();
+  Eigen::MatrixXd squared = Eigen::MatrixXd::Zero(values.rows(), values.rows());
+  squared.selfadjointView<Eigen::Lower>().rankUpdate(values, -2.0);
+  squared.triangularView<Eigen::StrictlyUpper>() = squared.transpose();
   squared.colwise() += energy;
   squared.rowwise() += energy.transpose();
   squared = squared.cwiseMax(0.0);

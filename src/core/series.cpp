@@ -6,8 +6,8 @@
 namespace contact_shapelets::core {
 
 double StandardDeviation(const Eigen::Ref<const Eigen::VectorXf>& series) {
-  const Eigen::ArrayXd values = series.cast<double>().array();
-  return std::sqrt((values - values.mean()).square().mean());
+  const double mean = series.cast<double>().mean();
+  return std::sqrt((series.cast<double>().array() - mean).square().mean());
 }
 
 Eigen::VectorXf ZNormalised(const Eigen::Ref<const Eigen::VectorXf>& series) {

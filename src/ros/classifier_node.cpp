@@ -92,7 +92,7 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
   try {
     const core::Episode episode = FromMessage(message);
     const core::Model& model = classifier_->model();
-    const core::Classification result = classifier_->Classify(episode);
+    const core::Classification result = classifier_->Classify(episode, &feature_memory_);
     diagnosis_publisher_.publish(DiagnosisMessage(episode, model, result.diagnosis, final));
     if (!final) return;
     std_msgs::String event;

@@ -52,6 +52,20 @@ double DistanceByDefinition(const Eigen::VectorXf& series, const Shapelet& shape
   return std::isfinite(best) ? 1.0 - best : 1.0;
 }
 
+TEST(FeatureExtractor, DoesNotDependOnWhatItsMemoryWasUsedFor) {
+  Random random(12);
+  const FeatureExtractor extractor({Pattern(Walk(40, &random)), Pattern(Walk(9, &random), 3)}, 0.2);
+  FeatureMemory memory;
+  for (const int samples : {300, 20, 150}) {
+    const Eigen::VectorXf series = Walk(samples, &random);
+    const ShapeletDistances expected = extractor.Compute(series);
+    const ShapeletDistances found = extractor.Compute(series, &memory);
+    EXPECT_EQ(found.distances, expected.distances);
+    EXPECT_EQ(found.match_start, expected.match_start);
+    EXPECT_EQ(found.match_span, expected.match_span);
+  }
+}
+
 TEST(FeatureExtractor, DistancesEqualTheDefinition) {
   Random random(1);
   for (const double flat_fraction : {0.0, 0.3}) {

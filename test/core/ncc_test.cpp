@@ -187,11 +187,12 @@ class BestMatch : public testing::TestWithParam<Case> {
   const ShapeletSet shapelets_{data().shapelets};
   const std::vector<Match> expected_ = BestMatchesByDefinition(windows_, shapelets_);
 
-  void ExpectFound(const std::vector<Match>& hints, bool prune) {
+  void ExpectFound(const std::vector<Match>& hints, Pruning pruning) {
     for (const tile::Loops& loops : RunnableLoops()) {
       SCOPED_TRACE(loops.name);
       std::vector<Match> found;
-      FindBestMatchesWith(loops, windows_, shapelets_, hints, {prune}, &found);
+      SearchMemory memory;
+      FindBestMatchesWith(loops, windows_, shapelets_, hints, pruning, &memory, &found);
       ExpectSameMatches(data(), expected_, found);
     }
   }
@@ -204,11 +205,16 @@ TEST_P(BestMatch, ByFftwIsThatOfTheDefinition) {
   ExpectSameMatches(data(), expected_, matcher.BestMatches(windows_));
 }
 
-TEST_P(BestMatch, OfThePrunedKernelIsThatOfTheDefinition) { ExpectFound({}, true); }
+TEST_P(BestMatch, OfTheUnprunedKernelIsThatOfTheDefinition) { ExpectFound({}, Pruning::kNone); }
 
-TEST_P(BestMatch, OfTheUnprunedKernelIsThatOfTheDefinition) { ExpectFound({}, false); }
+TEST_P(BestMatch, OfTheKernelPrunedByEnergyIsThatOfTheDefinition) { ExpectFound({}, Pruning::kByEnergy); }
 
-TEST_P(BestMatch, IsTheSameFromPerfectHints) { ExpectFound(expected_, true); }
+TEST_P(BestMatch, OfTheKernelPrunedByBoundsIsThatOfTheDefinition) { ExpectFound({}, Pruning::kByBounds); }
+
+TEST_P(BestMatch, IsTheSameFromPerfectHints) {
+  ExpectFound(expected_, Pruning::kByEnergy);
+  ExpectFound(expected_, Pruning::kByBounds);
+}
 
 TEST_P(BestMatch, IsTheSameFromPoorHints) {
   std::vector<Match> hints = expected_;
@@ -217,7 +223,8 @@ TEST_P(BestMatch, IsTheSameFromPoorHints) {
     // A similarity that was true of another shapelet must not be taken for that of this one.
     hints[k] = {1.0F, k % 2 == 0 ? 0 : last, k % 3 == 0 ? 0 : windows_.length() - 1};
   }
-  ExpectFound(hints, true);
+  ExpectFound(hints, Pruning::kByEnergy);
+  ExpectFound(hints, Pruning::kByBounds);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hard, BestMatch, testing::ValuesIn(Cases()), NameOf);
@@ -265,6 +272,19 @@ TEST(WindowSet, HasAllWindowsThatAreNotFlatInStretchesWithoutLongFlatParts) {
   EXPECT_TRUE(WindowSet(Eigen::VectorXf::Zero(50), 10, 0.1).stretches().empty());
 }
 
+TEST(WindowSet, HasNothingLeftOfTheSeriesBefore) {
+  WindowSet windows(RandomWalk(500, 61), 40, 0.0);
+  const Eigen::VectorXf series = Noise(120, 1.0, 62);
+  windows.Assign(series, 15, 0.9);
+  const WindowSet expected(series, 15, 0.9);
+  EXPECT_EQ(windows.length(), expected.length());
+  EXPECT_EQ(windows.usable_window_count(), expected.usable_window_count());
+  EXPECT_EQ(windows.stretches().size(), expected.stretches().size());
+  EXPECT_EQ(windows.series(), expected.series());
+  EXPECT_EQ(windows.mean(), expected.mean());
+  EXPECT_EQ(windows.inverse_deviation(), expected.inverse_deviation());
+}
+
 TEST(WindowSet, RefusesWhatHasNoWindows) {
   const Eigen::VectorXf series = RandomWalk(10, 1);
   EXPECT_THROW(WindowSet(series, 11, 0.0), std::invalid_argument);
@@ -310,6 +330,41 @@ TEST(FindBestMatches, RefusesWhatDoesNotFit) {
   EXPECT_THROW(FindBestMatches(windows, ShapeletSet(RandomWalks(2, 9, 47)), {}, {}, &matches), std::invalid_argument);
   EXPECT_THROW(FindBestMatches(windows, ShapeletSet(RandomWalks(2, 10, 47)), {Match{}}, {}, &matches),
                std::invalid_argument);
+}
+
+TEST(FindBestMatches, DoesNotDependOnWhatItsMemoryWasUsedFor) {
+  for (const tile::Loops& loops : RunnableLoops()) {
+    SCOPED_TRACE(loops.name);
+    SearchMemory kept;
+    for (const int samples : {1200, 90, 433, 60}) {
+      for (const Pruning pruning : {Pruning::kByBounds, Pruning::kByEnergy, Pruning::kNone}) {
+        const ShapeletSet shapelets(RandomWalks(6, samples / 3, 57));
+        const WindowSet windows((RandomWalk(samples, 58).array() * 1e3F).matrix(), shapelets.length(), 0.0);
+        SearchMemory fresh;
+        std::vector<Match> expected;
+        std::vector<Match> found;
+        FindBestMatchesWith(loops, windows, shapelets, {}, pruning, &fresh, &expected);
+        FindBestMatchesWith(loops, windows, shapelets, {}, pruning, &kept, &found);
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+          EXPECT_EQ(found[k].similarity, expected[k].similarity);
+          EXPECT_EQ(found[k].window, expected[k].window);
+          EXPECT_EQ(found[k].shift, expected[k].shift);
+        }
+      }
+    }
+  }
+}
+
+TEST(FindBestMatches, MayWriteOverItsHints) {
+  const WindowSet windows(RandomWalk(300, 59), 25, 0.0);
+  const ShapeletSet shapelets(RandomWalks(5, 25, 60));
+  const std::vector<Match> expected = BestMatchesByDefinition(windows, shapelets);
+  std::vector<Match> matches = expected;
+  std::reverse(matches.begin(), matches.end());
+  FindBestMatches(windows, shapelets, matches, {}, &matches);
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_NEAR(matches[k].similarity, expected[k].similarity, kTolerance);
+  }
 }
 
 TEST(FftwMatcher, MayBeMadeOnSeveralThreadsAtTheSameTime) {

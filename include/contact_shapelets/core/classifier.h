@@ -38,6 +38,8 @@ class Classifier {
   /// \throws std::invalid_argument where the episode has fewer than 2 samples, before or after that, a value that is
   /// not finite, or a sample period that is not in [0.0001, 1] s.
   Classification Classify(const Episode& episode) const;
+  /// The same in memory of the caller, which is kept from one episode to the next; one per thread.
+  Classification Classify(const Episode& episode, FeatureMemory* memory) const;
 
   /// Sets the label of a cluster. \throws std::invalid_argument where there is no such cluster or the label is empty.
   void NameCluster(int cluster, const std::string& label);

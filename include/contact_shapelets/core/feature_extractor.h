@@ -22,6 +22,14 @@ struct ShapeletDistances {
 /// Membership of equation 4 with one degree of freedom: q_k = (1 + F_k)^-1 / sum (1 + F)^-1. `distances` are F [K].
 Eigen::VectorXf Memberships(const Eigen::Ref<const Eigen::VectorXf>& distances);
 
+/// What FeatureExtractor works in: kept from one series to the next, so that little is allocated. One per thread.
+struct FeatureMemory {
+  std::vector<float> values;
+  WindowSet windows;
+  SearchMemory search;
+  std::vector<Match> matches;
+};
+
 /// Computes the distances of series to a fixed list of shapelets. Safe to use from several threads at the same time.
 class FeatureExtractor {
  public:
@@ -32,6 +40,9 @@ class FeatureExtractor {
   /// F of one series [Q >= 2]. A series shorter than a shapelet is extended by its last value.
   /// \throws std::invalid_argument where a value is not finite or Q < 2.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const;
+
+  /// The same in memory of the caller: allocates nothing but the result once a series as long has been seen.
+  ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series, FeatureMemory* memory) const;
 
   /// Number of shapelets K.
   int shapelet_count() const { return shapelet_count_; }

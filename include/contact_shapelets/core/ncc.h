@@ -38,12 +38,19 @@ struct WindowStretch {
 /// Flat windows are left out, since z-normalising mere noise makes it match anything.
 class WindowSet {
  public:
+  /// No windows, until the first Assign().
+  WindowSet() = default;
+
   /// Prepares `series` [Q] for shapelets of `length` samples.
   ///
   /// Windows with a population standard deviation of `flat_deviation` or less (same unit as the series, at least 0) are
   /// flat and never match. Statistics are taken in double precision; the series is copied.
   /// \throws std::invalid_argument where `length` < 2, `length` > Q, or a value is not finite.
   WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
+
+  /// Takes another series in place of the one before, as the constructor does. Memory is kept and allocated only where
+  /// it has never been as large.
+  void Assign(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
 
   /// Samples M in a window.
   int length() const { return length_; }
@@ -54,25 +61,32 @@ class WindowSet {
   /// What remains when long flat stretches are left out, in order: every window that is not flat is in one of these.
   const std::vector<WindowStretch>& stretches() const { return stretches_; }
   /// True where window j is flat.
-  bool IsFlat(int window) const { return inverse_deviation_[window] == 0.0; }
+  bool IsFlat(int window) const { return inverse_deviation_[static_cast<std::size_t>(window)] == 0.0; }
   /// The z-normalised window j, M values.
   Eigen::VectorXf NormalisedWindow(int window) const;
   /// The series [Q].
-  const Eigen::VectorXf& series() const { return series_; }
+  Eigen::Map<const Eigen::VectorXf> series() const { return {series_.data(), SizeOf(series_)}; }
   /// Window means mu_j [J].
-  const Eigen::VectorXd& mean() const { return mean_; }
+  Eigen::Map<const Eigen::VectorXd> mean() const { return {mean_.data(), SizeOf(mean_)}; }
   /// 1 / sigma_j [J]; 0 marks a flat window.
-  const Eigen::VectorXd& inverse_deviation() const { return inverse_deviation_; }
+  Eigen::Map<const Eigen::VectorXd> inverse_deviation() const {
+    return {inverse_deviation_.data(), SizeOf(inverse_deviation_)};
+  }
 
  private:
+  template <typename Scalar>
+  static Eigen::Index SizeOf(const std::vector<Scalar>& values) {
+    return static_cast<Eigen::Index>(values.size());
+  }
+  void FindStatistics(double flat_deviation);
   void FindStretches();
 
-  int length_;
+  int length_ = 0;
   int usable_window_count_ = 0;
   std::vector<WindowStretch> stretches_;
-  Eigen::VectorXf series_;
-  Eigen::VectorXd mean_;
-  Eigen::VectorXd inverse_deviation_;
+  std::vector<float> series_;
+  std::vector<double> mean_;
+  std::vector<double> inverse_deviation_;
 };
 
 /// Shapelets of one length, z-normalised and prepared for matching.
@@ -125,12 +139,33 @@ struct MatchOptions {
   bool prune = true;  ///< skip what the energy bound shows cannot win; the result is the same
 };
 
+/// Memory that one search after the other works in. It grows to what the largest of them needed.
+class SearchMemory {
+ public:
+  SearchMemory();
+  ~SearchMemory();
+  SearchMemory(SearchMemory&&) noexcept;
+  SearchMemory& operator=(SearchMemory&&) noexcept;
+
+  struct Arrays;
+  /// For FindBestMatches() alone.
+  Arrays& arrays() { return *arrays_; }
+
+ private:
+  std::unique_ptr<Arrays> arrays_;
+};
+
 /// The transform-free kernel: O(Q M) per shapelet before pruning, exact to 1e-5 in single precision.
 ///
 /// `hints` is empty or holds K matches of an earlier, similar search (the previous training step): their similarity is
-/// evaluated first, so that the bound prunes from the start. Writes K matches to `matches`. Allocates nothing that
-/// outlives the call, and may run on several threads at the same time.
+/// evaluated first, so that the bound prunes from the start. Writes K matches to `matches`, which may be `hints`.
+/// Allocates nothing where `memory` and `matches` are large enough from a search before. Several threads may search at
+/// the same time, each with a memory and matches of its own.
 /// \throws std::invalid_argument where lengths or counts differ.
+void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
+                     const MatchOptions& options, SearchMemory* memory, std::vector<Match>* matches);
+
+/// The same in memory of its own.
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
                      const MatchOptions& options, std::vector<Match>* matches);
 

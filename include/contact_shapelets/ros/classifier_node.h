@@ -36,6 +36,7 @@ class ClassifierNode {
   ros::NodeHandle node_handle_;
   ros::NodeHandle private_node_handle_;
   ClassifierOptions options_;
+  core::FeatureMemory feature_memory_;
   std::unique_ptr<core::Classifier> classifier_;  ///< none until there is a model
   std::string last_episode_;                      ///< id of the last one that ended
   std::string parameter_faults_;
