@@ -63,7 +63,7 @@ struct PushCondition {
   double damping_ratio = 0.7;           ///< Lehr's damping ratio of the Cartesian impedance
 
   // As the cell happens to be.
-  double lever_force = 7.5;         ///< [N] greatest force of the over-centre spring at the toggle's end
+  double lever_force = 10.0;        ///< [N] greatest force of the over-centre spring at the toggle's end
   double lever_friction = 0.5;      ///< [N] of the hinge, at the toggle's end
   double finger_friction = 0.25;    ///< friction coefficient of finger and lever
   double height_error = 0.0;        ///< [m] by which the switch is higher than taught
