@@ -63,28 +63,28 @@ Outcome OutcomeOfName(const std::string& name) {
 PushCondition SamplePushCondition(Outcome outcome, core::Random* random) {
   PushCondition condition;
   condition.outcome = outcome;
-  condition.delay = random->Uniform(0.15, 0.35);
-  condition.approach = random->Uniform(0.050, 0.070);
-  condition.approach_speed = random->Uniform(0.10, 0.14);
-  condition.slow_distance = random->Uniform(0.012, 0.018);
-  condition.push_speed = random->Uniform(0.035, 0.050);
+  condition.delay = random->Uniform(0.20, 0.30);
+  condition.approach = random->Uniform(0.055, 0.065);
+  condition.approach_speed = random->Uniform(0.11, 0.13);
+  condition.slow_distance = random->Uniform(0.013, 0.017);
+  condition.push_speed = random->Uniform(0.036, 0.046);
   condition.acceleration = random->Uniform(0.8, 1.2);
   condition.plateau = random->Uniform(10.0, 18.0);
   condition.hold = random->Uniform(0.4, 0.6);
   condition.force_limit = random->Uniform(26.0, 32.0);
   condition.reaction = random->Uniform(0.02, 0.06);
-  condition.stiffness = random->Uniform(2000.0, 3500.0);
+  condition.stiffness = random->Uniform(2000.0, 3000.0);
   condition.rotational_stiffness = random->Uniform(200.0, 300.0);
   condition.damping_ratio = random->Uniform(0.6, 0.9);
-  condition.lever_force = random->Uniform(8.0, 14.0);
+  condition.lever_force = random->Uniform(5.5, 9.0);
   condition.lever_friction = random->Uniform(0.2, 1.2);
   condition.finger_friction = random->Uniform(0.15, 0.35);
   condition.height_error = random->Uniform(-0.0015, 0.0015);
   condition.side_error = random->Uniform(-0.002, 0.002);
   condition.tilt = random->Uniform(-2.0, 2.0) * kDegree;
-  // Some 3 mm beyond the toggle's end the two round ends push each other apart.
+  // Some 4 mm beyond the toggle's end the two round ends push each other apart.
   condition.engagement =
-      outcome == Outcome::kSlippedOff ? random->Uniform(-0.0045, -0.0030) : random->Uniform(0.003, 0.007);
+      outcome == Outcome::kSlippedOff ? random->Uniform(-0.0055, -0.0038) : random->Uniform(0.003, 0.007);
   condition.jam_travel = random->Uniform(0.5, 5.0) * kDegree;
   condition.obstacle_distance = random->Uniform(condition.slow_distance + 0.005, condition.approach - 0.012);
   condition.errors = SampleErrors(random);
