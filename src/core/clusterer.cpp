@@ -48,16 +48,6 @@ TrainingResult TrainOnSeries(const std::vector<Eigen::VectorXf>& train, const Tr
   return TrainModel(episodes, options);
 }
 
-Eigen::MatrixXf Distances(const std::vector<Shapelet>& shapelets, double flat_fraction,
-                          const std::vector<Eigen::VectorXf>& series) {
-  const FeatureExtractor extractor(shapelets, flat_fraction);
-  Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
-  for (std::size_t index = 0; index < series.size(); ++index) {
-    distances.row(static_cast<Eigen::Index>(index)) = extractor.Compute(series[index]).distances.transpose();
-  }
-  return distances;
-}
-
 /// The trainer and classifier of this package. Features are the distances to the learned shapelets and to the random
 /// ones, which only vote, side by side.
 class StneClusterer : public Clusterer {
@@ -75,7 +65,8 @@ class StneClusterer : public Clusterer {
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
     const Model& model = result_.model;
     Eigen::MatrixXf features(series.size(), model.shapelets.size() + result_.random_shapelets.count());
-    features << Distances(model.shapelets, model.flat_fraction, series), result_.random_shapelets.Distances(series, 1);
+    features << FeatureExtractor(model.shapelets, model.flat_fraction).Distances(series, 1),
+        result_.random_shapelets.Distances(series, 1);
     return features;
   }
 
@@ -103,7 +94,7 @@ class StneClusterer : public Clusterer {
 class PaperClusterer : public FeatureClusterer {
  public:
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
-    return Distances(model_.shapelets, model_.flat_fraction, series);
+    return FeatureExtractor(model_.shapelets, model_.flat_fraction).Distances(series, 1);
   }
 
  protected:

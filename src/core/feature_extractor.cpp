@@ -5,12 +5,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/series.h"
 
 namespace contact_shapelets::core {
 namespace {
-
-int Reach(int length, int dilation) { return (length - 1) * dilation + 1; }
 
 ShapeletSet SetOf(const std::vector<Shapelet>& shapelets, const std::vector<int>& members) {
   Eigen::MatrixXf rows(members.size(), shapelets[static_cast<std::size_t>(members.front())].values.size());
@@ -88,6 +87,14 @@ ShapeletDistances FeatureExtractor::Compute(const Eigen::Ref<const Eigen::Vector
   }
   result.memberships = Memberships(result.distances);
   return result;
+}
+
+Eigen::MatrixXf FeatureExtractor::Distances(const std::vector<Eigen::VectorXf>& series, int threads) const {
+  Eigen::MatrixXf distances(series.size(), shapelet_count_);
+  ParallelFor(static_cast<int>(series.size()), threads, [&](int row) {
+    distances.row(row) = Compute(series[static_cast<std::size_t>(row)]).distances.transpose();
+  });
+  return distances;
 }
 
 }  // namespace contact_shapelets::core

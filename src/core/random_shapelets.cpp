@@ -14,8 +14,6 @@ namespace {
 /// Of a z-normalised series; windows that move less hold rounding errors.
 constexpr float kLeastDeviation = 1e-3F;
 
-int Reach(int length, int dilation) { return (length - 1) * dilation + 1; }
-
 /// 1 / (length sigma) of the dilated windows of a series; 0 where a window is flat.
 Eigen::ArrayXf WindowScales(const Eigen::Ref<const Eigen::VectorXf>& series, int length, int dilation) {
   const Eigen::Index windows = series.size() - Reach(length, dilation) + 1;
@@ -62,7 +60,7 @@ RandomShapelets::RandomShapelets(const std::vector<Eigen::VectorXf>& series, int
     if (one.size() < 2) throw std::invalid_argument("a series has fewer than 2 samples");
   }
   const int typical_length = MedianLength(series);
-  const int length = std::max(2, std::min(kLength, std::max(3, typical_length / 4)));
+  const int length = std::min(kLength, std::max(3, typical_length / 4));
   const double largest = std::max(1.0, static_cast<double>(typical_length - 1) / (length - 1));
   Random random(seed);
   for (int index = 0; index < count; ++index) {

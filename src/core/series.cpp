@@ -50,6 +50,8 @@ Eigen::VectorXf EveryNth(const Eigen::Ref<const Eigen::VectorXf>& series, int fi
   return chosen;
 }
 
+int Reach(int length, int dilation) { return (length - 1) * dilation + 1; }
+
 int MedianLength(const std::vector<Eigen::VectorXf>& series) {
   std::vector<int> lengths;
   lengths.reserve(series.size());

@@ -52,16 +52,6 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
 }
 
-/// Distances F [N, K] of all episodes, one at a time per thread.
-Eigen::MatrixXf AllDistances(const std::vector<Eigen::VectorXf>& series, const FeatureExtractor& extractor,
-                             int threads) {
-  Eigen::MatrixXf distances(series.size(), extractor.shapelet_count());
-  ParallelFor(static_cast<int>(series.size()), threads, [&](int index) {
-    distances.row(index) = extractor.Compute(series[static_cast<std::size_t>(index)]).distances.transpose();
-  });
-  return distances;
-}
-
 /// The scale that each shapelet of `model` was learned at.
 Eigen::VectorXf ScalesOf(const Model& model) {
   Eigen::VectorXf scales(model.shapelets.size());
@@ -234,9 +224,8 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
     const TrainingProgress state{static_cast<int>(banks.size()), 0, banks.back().objective, done};
     if (progress && !progress(state)) throw TrainingCancelled();
   };
-  const int threads = ThreadCount(options.threads);
   const Eigen::MatrixXf distances =
-      AllDistances(series, FeatureExtractor(model.shapelets, model.flat_fraction), threads);
+      FeatureExtractor(model.shapelets, model.flat_fraction).Distances(series, ThreadCount(options.threads));
   report(kMeasured);
   result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0,
                                             StreamSeed(options.seed, kRandomShapelets));

@@ -34,6 +34,8 @@ void SaveModel(const std::string& path, const core::Model& model) {
     const ros::WallTime now = ros::WallTime::now();
     const ros::Time stamp(now.sec, now.nsec);
     rosbag::Bag bag(temporary, rosbag::bagmode::Write);
+    // Compressed for its checksum: a damaged model is refused instead of being believed.
+    bag.setCompression(rosbag::compression::LZ4);
     bag.write(topics::kModel, stamp, ToMessage(model, stamp));
     bag.close();
     Synchronise(temporary);

@@ -145,6 +145,25 @@ TEST_F(ModelBagTest, RefusesAModelThatWasCutOffAnywhere) {
   }
 }
 
+TEST_F(ModelBagTest, RefusesAModelOfWhichAByteChanged) {
+  SaveModel(Path("model.bag"), Trained());
+  const std::string whole = Contents(Path("model.bag"));
+  const std::size_t chunk = whole.find("compression=lz4");
+  const std::size_t index = whole.find("chunk_pos=");
+  ASSERT_NE(chunk, std::string::npos);
+  ASSERT_NE(index, std::string::npos);
+  // Behind the chunk's header, which takes some 40 bytes, and before its index.
+  constexpr std::size_t kHeader = 60;
+  constexpr std::size_t kContents = 600;
+  ASSERT_GT(index, chunk + kHeader + kContents);
+  for (std::size_t place = chunk + kHeader; place < chunk + kHeader + kContents; place += 23) {
+    std::string changed = whole;
+    changed[place] = static_cast<char>(changed[place] ^ 0x10);
+    Write(Path("changed.bag"), changed);
+    ExpectWords(MessageOf([this] { LoadModel(Path("changed.bag")); }), {Path("changed.bag"), "ShapeletModel"});
+  }
+}
+
 TEST_F(ModelBagTest, RefusesABagWithoutAModel) {
   BagWriter(Path("model.bag")).Outcome(0.0, "switched");
   ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "ShapeletModel", "holds 0"});

@@ -52,6 +52,17 @@ double DistanceByDefinition(const Eigen::VectorXf& series, const Shapelet& shape
   return std::isfinite(best) ? 1.0 - best : 1.0;
 }
 
+TEST(FeatureExtractor, GivesTheDistancesOfManySeriesAsThoseOfEachOne) {
+  Random random(21);
+  const FeatureExtractor extractor({Pattern(Walk(40, &random)), Pattern(Walk(9, &random), 3)}, 0.2);
+  const std::vector<Eigen::VectorXf> series{Walk(300, &random), Walk(20, &random), Walk(150, &random)};
+  const Eigen::MatrixXf distances = extractor.Distances(series, 2);
+  ASSERT_EQ(distances.rows(), 3);
+  for (std::size_t row = 0; row < series.size(); ++row) {
+    EXPECT_EQ(Eigen::VectorXf(distances.row(static_cast<Eigen::Index>(row))), extractor.Compute(series[row]).distances);
+  }
+}
+
 TEST(FeatureExtractor, DoesNotDependOnWhatItsMemoryWasUsedFor) {
   Random random(12);
   const FeatureExtractor extractor({Pattern(Walk(40, &random)), Pattern(Walk(9, &random), 3)}, 0.2);

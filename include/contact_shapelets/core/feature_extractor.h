@@ -44,6 +44,10 @@ class FeatureExtractor {
   /// The same in memory of the caller: allocates nothing but the result once a series as long has been seen.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series, FeatureMemory* memory) const;
 
+  /// F [N, K] of N series, one per row, as Compute() gives it. `threads` is 1 or more; the result does not depend on
+  /// it.
+  Eigen::MatrixXf Distances(const std::vector<Eigen::VectorXf>& series, int threads) const;
+
   /// Number of shapelets K.
   int shapelet_count() const { return shapelet_count_; }
 

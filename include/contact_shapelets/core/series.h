@@ -23,6 +23,10 @@ Eigen::VectorXf ExtendedTo(const Eigen::Ref<const Eigen::VectorXf>& series, int 
 /// The values first, first + step, first + 2 step, ... of `series`; `first` within it, `step` >= 1.
 Eigen::VectorXf EveryNth(const Eigen::Ref<const Eigen::VectorXf>& series, int first, int step);
 
+/// Samples from the first to behind the last of `length` values of which each is `dilation` samples behind the one
+/// before.
+int Reach(int length, int dilation);
+
 /// The median length of `series` (at least one), the lower one of two.
 int MedianLength(const std::vector<Eigen::VectorXf>& series);
 
