@@ -60,12 +60,12 @@ double BankLearner::Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gr
   }
   const Eigen::MatrixXd membership = MembershipMatrix(distances);
   const Term spectral = SpectralTerm(membership, BatchWeights(chosen));
+  *gradient = ShapeletGradient(chosen, DistanceGradient(distances, membership, spectral.gradient));
+  if (options_.diversity == 0.0) return spectral.value;
   const Term diversity = DiversityTerm(shapelets_, 0.5 * static_cast<double>(shapelets_.cols()));
-  const auto pairs = static_cast<double>(shapelets_.rows() * shapelets_.rows());
-  const double diversity_weight = options_.diversity / pairs;
-  *gradient = ShapeletGradient(chosen, DistanceGradient(distances, membership, spectral.gradient)) +
-              diversity_weight * diversity.gradient;
-  return spectral.value + diversity_weight * diversity.value;
+  const double weight = options_.diversity / static_cast<double>(shapelets_.rows() * shapelets_.rows());
+  *gradient += weight * diversity.gradient;
+  return spectral.value + weight * diversity.value;
 }
 
 void BankLearner::FindMatches(const std::vector<int>& chosen) {
