@@ -43,7 +43,7 @@ set -m
 roscore -p "$port" >"$output/roscore.log" 2>&1 &
 started+=($!)
 for ((attempt = 1; ; ++attempt)); do
-  answer=$(rosparam list 2>&1) && break
+  answer=$(timeout 10 rosparam list 2>&1) && break
   if ! kill -0 "${started[0]}" 2>/dev/null || [ "$attempt" -ge 150 ]; then
     { tail "$output/roscore.log"; echo "roscore does not answer at $ROS_MASTER_URI: $answer"; } >&2
     exit 1

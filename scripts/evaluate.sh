@@ -4,7 +4,8 @@
 #   scripts/evaluate.sh [DATA [RESULTS]]
 #
 # DATA is a folder of the UCR archive (default: ../shared/data/ucr), RESULTS the folder for the scores of every run as JSON
-# (default: in the build's workspace). A JSON that is already there is kept: delete it to compute it again.
+# (default: in the build's workspace). A JSON or bag that is already there is kept, so that a run goes on where it stopped:
+# after a change of code, take a new folder.
 # METHODS="nn_stne" restricts the comparison to some methods, NEIGHBOURS="" leaves out the other neighbourhoods of UDFS, JOBS=4
 # sets the runs at the same time, SEEDS=5 those per cell.
 set -euo pipefail

@@ -18,7 +18,7 @@ folder=$(mktemp -d)
 started=()
 finish() {
   # The last of what the nodes said, where something failed.
-  [ $? -eq 0 ] || tail "$folder/log" >&2
+  [ $? -eq 0 ] || tail "$folder/log" >&2 || true
   for process in ${started[@]+"${started[@]}"}; do
     kill "$process" 2>/dev/null || continue
     # One that does not end by itself within 20 s is ended.

@@ -44,7 +44,7 @@ void WriteResult(const core::Episode& episode, const core::Classification& resul
 }
 
 /// Copies the bags into one, and adds features, diagnosis and event of each episode at its end. A failure
-/// leaves no file.
+/// leaves no file; what an interrupt leaves has the ending ".part" and a number.
 void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
               const std::vector<core::Classification>& results) {
   const std::string temporary = TemporaryName(arguments.annotate);

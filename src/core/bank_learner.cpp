@@ -17,7 +17,7 @@ void AddMatchedValues(const WindowSet& windows, const Match& match, double weigh
   const auto samples = windows.series().segment(match.window + std::max(0, match.shift), overlap);
   const double mean = windows.mean()[match.window];
   const double inverse = windows.inverse_deviation()[match.window];
-  // Rounded as the windows that the kernel compares with.
+  // Rounded as NormalisedWindow() is.
   sum->segment(std::max(0, -match.shift), overlap).array() +=
       weight * ((samples.cast<double>().array() - mean) * inverse).cast<float>().cast<double>();
 }
@@ -76,8 +76,7 @@ void BankLearner::FindMatches(const std::vector<int>& chosen) {
       const auto length = static_cast<int>(shapelets_.cols());
       windows_[index] = std::make_unique<WindowSet>(ExtendedTo(series_[index], length), length, options_.flat_fraction);
     }
-    const std::vector<Match> hints = matches_[index];
-    FindBestMatches(*windows_[index], set, hints, MatchOptions{}, &matches_[index]);
+    FindBestMatches(*windows_[index], set, matches_[index], MatchOptions{}, &matches_[index]);
   });
 }
 

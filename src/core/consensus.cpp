@@ -16,6 +16,7 @@ std::vector<const View*> Voters(const std::vector<View>& views) {
   std::vector<const View*> voters;
   for (const View& view : views) {
     if (view.scales.size() != view.features.cols()) throw std::invalid_argument("a view needs a scale for each column");
+    if (!(view.greatest_exponent >= 0.0)) throw std::invalid_argument("a view's greatest exponent is below 0");
     if (view.features.rows() != views.front().features.rows()) {
       throw std::invalid_argument("the views differ in their number of series");
     }
@@ -66,7 +67,7 @@ Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusO
   const auto count = static_cast<int>(voters.size());
   std::vector<Eigen::VectorXi> votes(voters.size());
   // A round is long enough to keep the threads busy, and short enough to be told of.
-  const int round = 4 * threads;
+  const int round = 4 * std::max(1, std::min(threads, count));
   for (int first = 0; first < count; first += round) {
     const int last = std::min(count, first + round);
     ParallelFor(last - first, threads, [&](int index) {

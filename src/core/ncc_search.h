@@ -14,7 +14,8 @@ namespace contact_shapelets::core {
 /// The inner loops that this machine can run, from what every machine of its architecture runs to the widest.
 std::vector<tile::Loops> RunnableLoops();
 
-/// What a search leaves out of the partial overlaps. The result is the same.
+/// What a search leaves out of the partial overlaps in single precision (windows that need double precision are always
+/// pruned by energy). The result is the same.
 enum class Pruning {
   kNone,
   kByEnergy,  ///< what the shapelets' energies alone show that cannot win

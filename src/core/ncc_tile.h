@@ -27,9 +27,9 @@ struct FullArguments {
   const float* shapelets;  ///< of the group
   const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
   float* sums;
-  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]; -1 where no window of a tile counts, and
-                   ///< `sums` are left out
-  bool with_largest;  ///< else anything of 0 or more stands in `largest` where a window of a tile counts
+  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]. Where no window of a tile counts, `sums`
+                   ///< are left out, largest[kGroup tile] is -1, and the others are unset
+  bool with_largest;  ///< else largest[kGroup tile] alone is set: to 0 where a window of the tile counts
   int length;
   int count;
   int stride;

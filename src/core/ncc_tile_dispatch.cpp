@@ -6,8 +6,8 @@ namespace contact_shapelets::core {
 namespace {
 
 /// Multiply-adds of full overlaps under which a search has vectors of 256 bits at the most. After a while without them,
-/// those of 512 bits may take up to 2 microseconds to be at full speed: as long as so small a search, to which they
-/// bring a few tenths at best.
+/// those of 512 bits may take some 2 microseconds to be at full speed, and they save a search as small as this a few
+/// tenths of a microsecond.
 constexpr std::int64_t kSmallSearch = 50000;
 
 /// Samples of all shapelets together from which on the table of the windows' energies, which is made once for all of

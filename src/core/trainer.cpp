@@ -25,9 +25,11 @@ enum Stream : std::uint32_t { kLearning, kRandomShapelets, kVotingEpisodes, kVot
 constexpr double kLearnedExponent = 2.0;
 constexpr double kRandomExponent = 0.5;
 
-/// Parts of a training that are done when its shapelets are learned, and when it is known how far they are away.
+/// Parts of a training that are done when its shapelets are learned, when it is known how far they are away, and when
+/// all have voted.
 constexpr double kLearned = 0.9;
 constexpr double kMeasured = 0.95;
+constexpr double kVoted = 0.98;
 
 /// [N] A tare leaves rounding errors of a constant force, which are all that its magnitude then holds.
 constexpr float kRounding = 1e-9F;
@@ -220,8 +222,9 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   model.flat_fraction = options.learner.flat_fraction;
   for (const ShapeletBank& bank : banks) model.provenance.selected_scales.push_back(bank.scale);
 
+  const auto scales = static_cast<int>(options.learner.scales.size());
   const auto report = [&](double done) {
-    const TrainingProgress state{static_cast<int>(banks.size()), 0, banks.back().objective, done};
+    const TrainingProgress state{scales, 0, banks.back().objective, done};
     if (progress && !progress(state)) throw TrainingCancelled();
   };
   const Eigen::MatrixXf distances =
@@ -230,7 +233,8 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   result.random_shapelets = RandomShapelets(series, options.voters > 0 ? options.random_shapelets : 0,
                                             StreamSeed(options.seed, kRandomShapelets));
   result.labels = TrainingLabels(result, series, distances, options,
-                                 [&](double votes) { report(kMeasured + (1.0 - kMeasured) * votes); });
+                                 [&](double votes) { report(kMeasured + (kVoted - kMeasured) * votes); });
+  report(kVoted);
   model.clusters = FormClusters(model.Features(distances), result.labels, options);
   const std::vector<std::string> names = NameClusters(result.labels, outcomes, options.clusters);
   for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];
@@ -240,7 +244,7 @@ TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOpt
   model.provenance.seed = options.seed;
   model.provenance.training_episodes = static_cast<int>(episodes.size());
   model.provenance.typical_duration = MedianLength(series) * model.sample_period;
-  if (progress) progress({static_cast<int>(banks.size()), 0, banks.back().objective, 1.0});
+  if (progress) progress({scales, 0, banks.back().objective, 1.0});
   return result;
 }
 

@@ -22,6 +22,7 @@ namespace {
 bool HeedPermissions() {
   if (geteuid() != 0) return true;
   for (const int capability : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH}) {
+    if (prctl(PR_CAPBSET_READ, capability, 0, 0, 0) != 1) continue;
     if (prctl(PR_CAPBSET_DROP, capability, 0, 0, 0) != 0) return false;
   }
   return true;

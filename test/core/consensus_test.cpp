@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "contact_shapelets/core/random.h"
@@ -70,6 +71,12 @@ TEST(Consensus, WeighsColumnsOfSmallScaleMore) {
 TEST(Consensus, DoesNotDependOnTheNumberOfThreads) {
   const View view = NoiseView(50, 15, 8);
   EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), 1), ConsensusLabels({view}, TwoClusters(), 3));
+}
+
+TEST(Consensus, TakesAnyNumberOfThreads) {
+  const View view = NoiseView(20, 15, 8);
+  EXPECT_EQ(ConsensusLabels({view}, TwoClusters(), std::numeric_limits<int>::max()),
+            ConsensusLabels({view}, TwoClusters(), 1));
 }
 
 TEST(Consensus, TellsOfTheVotesAndEndsWhereThatThrows) {

@@ -25,7 +25,8 @@ enum class EndReason : std::uint8_t {
 /// contact, but as many samples as fill the memory.
 inline bool IsSamplePeriod(double period) { return period >= 1e-4 && period <= 1.0; }
 
-/// [N] No sensor measures more; a greater value is a fault, and sums of its square overflow single precision.
+/// [N] No sensor measures more: a greater value is a fault. Far greater ones overflow single precision where they are
+/// squared and summed.
 constexpr double kGreatestForce = 1e6;
 
 /// The magnitude of the contact force over one episode, tared and resampled.

@@ -41,7 +41,7 @@ class FeatureExtractor {
   /// \throws std::invalid_argument where a value is not finite or Q < 2.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const;
 
-  /// The same in memory of the caller: allocates nothing but the result once a series as long has been seen.
+  /// The same in memory of the caller: allocates nothing but the result once that is as large as a series needs.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series, FeatureMemory* memory) const;
 
   /// F [N, K] of N series, one per row, as Compute() gives it. `threads` is 1 or more; the result does not depend on

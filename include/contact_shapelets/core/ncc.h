@@ -48,8 +48,8 @@ class WindowSet {
   /// \throws std::invalid_argument where `length` < 2, `length` > Q, or a value is not finite.
   WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
 
-  /// Takes another series in place of the one before, as the constructor does. Memory is kept and allocated only where
-  /// it has never been as large.
+  /// Takes another series, not that of this set, in place of the one before, as the constructor does. Memory is kept
+  /// and allocated only where it has never been as large.
   void Assign(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
 
   /// Samples M in a window.
@@ -169,7 +169,8 @@ void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, con
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
                      const MatchOptions& options, std::vector<Match>* matches);
 
-/// The name of the vector instruction set that FindBestMatches uses on this machine, for reports: "avx512", "avx2", ...
+/// The name of the widest vector instruction set that FindBestMatches uses on this machine, for reports: "avx512",
+/// "avx2", ...
 const char* KernelInstructionSet();
 
 }  // namespace contact_shapelets::core

@@ -40,7 +40,7 @@ struct TrainerOptions {
 
 /// Progress of a training.
 struct TrainingProgress {
-  int candidate = 0;           ///< scale being trained, from 0; as many as there are scales: the vote
+  int candidate = 0;           ///< scale being trained, from 0; as many as there are scales: the clusters
   int step = 0;                ///< of that scale
   double objective = 0.0;      ///< its value
   double fraction_done = 0.0;  ///< [0, 1] of the whole
