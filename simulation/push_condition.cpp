@@ -69,14 +69,14 @@ PushCondition SamplePushCondition(Outcome outcome, core::Random* random) {
   condition.slow_distance = random->Uniform(0.013, 0.017);
   condition.push_speed = random->Uniform(0.036, 0.046);
   condition.acceleration = random->Uniform(0.8, 1.2);
-  condition.plateau = random->Uniform(10.0, 18.0);
+  condition.plateau = random->Uniform(12.0, 18.0);
   condition.hold = random->Uniform(0.4, 0.6);
   condition.force_limit = random->Uniform(26.0, 32.0);
   condition.reaction = random->Uniform(0.02, 0.06);
   condition.stiffness = random->Uniform(2000.0, 3000.0);
   condition.rotational_stiffness = random->Uniform(200.0, 300.0);
   condition.damping_ratio = random->Uniform(0.6, 0.9);
-  condition.lever_force = random->Uniform(5.5, 9.0);
+  condition.lever_force = random->Uniform(7.0, 9.5);
   condition.lever_friction = random->Uniform(0.2, 1.2);
   condition.finger_friction = random->Uniform(0.15, 0.35);
   condition.height_error = random->Uniform(-0.0015, 0.0015);
