@@ -29,6 +29,16 @@ class BadInputTest : public testing::Test {
     EXPECT_THROW(ReadFile(model_), std::runtime_error) << "a model was written";
   }
 
+  /// Expects that four runs at the same time all succeed, and that they leave no temporary file.
+  void ExpectFourRunsTogether(const std::vector<std::string>& arguments) {
+    std::vector<std::thread> runs;
+    for (int index = 0; index < 4; ++index) {
+      runs.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
+    }
+    for (std::thread& run : runs) run.join();
+    for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+  }
+
   std::string Sound() { return Make(folder_ / "sound.bag", MadeBag()); }
 
   TemporaryFolder folder_;
@@ -220,28 +230,16 @@ TEST_F(BadInputTest, ResultsThatCannotBeWrittenToStdoutAreAFault) {
 
 TEST_F(BadInputTest, TrainingsThatEndTogetherLeaveOneWholeModel) {
   const std::string bag = Sound();
-  const std::vector<std::string> arguments{"train", bag, "--model", model_, "--config", quick_};
-  std::vector<std::thread> trainings;
-  for (int index = 0; index < 4; ++index) {
-    trainings.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
-  }
-  for (std::thread& training : trainings) training.join();
+  ExpectFourRunsTogether({"train", bag, "--model", model_, "--config", quick_});
   EXPECT_EQ(RunShapelets({"classify", bag, "--model", model_}).status, 0);
-  for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
 }
 
 TEST_F(BadInputTest, AnnotationsThatEndTogetherLeaveOneWholeBag) {
   const std::string bag = Sound();
   const std::string annotated = folder_ / "annotated.bag";
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
-  const std::vector<std::string> arguments{"classify", bag, "--model", model_, "--annotate", annotated};
-  std::vector<std::thread> runs;
-  for (int index = 0; index < 4; ++index) {
-    runs.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
-  }
-  for (std::thread& run : runs) run.join();
+  ExpectFourRunsTogether({"classify", bag, "--model", model_, "--annotate", annotated});
   EXPECT_EQ(RunShapelets({"classify", annotated, "--model", model_}).status, 0);
-  for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
 }
 
 TEST_F(BadInputTest, TrainingEndedByASignalLeavesTheOldModelAndNothingElse) {

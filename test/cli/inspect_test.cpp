@@ -117,23 +117,26 @@ TEST(InspectTest, ModelOfAnotherMessageVersionIsAProblem) {
 /// A recording of a real robot, in the optional folder of data beside the package.
 class RecordedTest : public testing::Test {
  protected:
+  void SetUp() override {
+    if (!std::filesystem::is_directory(kFolder)) GTEST_SKIP() << "the optional folder " << kFolder << " is not there";
+  }
+
   std::string InspectRecorded(const std::string& name) {
-    const std::string path = "../shared/data/robot/baxter_pick_and_place/" + name;
-    if (!std::filesystem::exists(path)) return "";
-    const ProgramRun run = RunShapelets({"inspect", path});
+    const ProgramRun run = RunShapelets({"inspect", kFolder + ("/" + name)});
     EXPECT_EQ(run.status, 0) << run.err;
     return run.out;
   }
+
+ private:
+  static constexpr const char* kFolder = "../shared/data/robot/baxter_pick_and_place";
 };
 
 TEST_F(RecordedTest, FrozenSensorIsCalledFrozen) {
   const std::string text = InspectRecorded("frozen_sensor.bag");
-  if (text.empty()) GTEST_SKIP() << "../shared/data is not there";
   EXPECT_TRUE(Contains(text, "frozen sensor: one value for its whole length")) << text;
 }
 
 TEST_F(RecordedTest, OnlyRepeatingSensorsAreCalledRepeating) {
-  if (InspectRecorded("success_2.bag").empty()) GTEST_SKIP() << "../shared/data is not there";
   for (const char* const name : {"repeated_samples.bag", "success_1.bag"}) {
     EXPECT_TRUE(Contains(InspectRecorded(name), "repeated samples: 1")) << name;
   }

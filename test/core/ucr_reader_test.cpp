@@ -156,7 +156,7 @@ TEST_F(UcrReader, ListsTheDataSetsOfAFolder) {
 
 TEST(UcrArchive, HoldsTheSeriesOfThePapersTable) {
   const std::string folder = "../shared/data/ucr";
-  if (!fs::is_directory(folder)) GTEST_SKIP() << "the archive's folder " << folder << " is not there";
+  if (!fs::is_directory(folder)) GTEST_SKIP() << "the optional folder " << folder << " is not there";
   struct Row {
     const char* name;
     std::size_t train, test;
