@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "contact_shapelets/core/kmeans.h"
+#include "contact_shapelets/core/latent_class.h"
 #include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/random.h"
 
@@ -31,7 +32,6 @@ Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
   Random random(StreamSeed(seed, 0));
   const auto columns = static_cast<int>(view.features.cols());
   const double exponent = random.Uniform(0.0, view.greatest_exponent);
-  const int parts = clusters + random.Index(clusters + 1);
   std::vector<int> seen = random.Sample(columns, std::min(columns, std::max(2, columns / 2)));
   std::sort(seen.begin(), seen.end());
   Eigen::MatrixXf points(view.features.rows(), seen.size());
@@ -40,7 +40,7 @@ Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
         view.features.col(seen[index]) * std::pow(view.scales[seen[index]], static_cast<float>(-exponent));
   }
   KMeansOptions options;
-  options.clusters = std::min(parts, static_cast<int>(points.rows()));
+  options.clusters = clusters;
   options.restarts = 1;
   options.seed = StreamSeed(seed, 1);
   return KMeans(points, options).labels;
@@ -81,7 +81,7 @@ Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusO
   deciding.clusters = options.clusters;
   deciding.restarts = options.restarts;
   deciding.seed = StreamSeed(options.seed, static_cast<std::uint32_t>(voters.size()));
-  return KMeans(Ballots(votes), deciding).labels;
+  return LatentClasses(votes, KMeans(Ballots(votes), deciding).labels, options.clusters);
 }
 
 }  // namespace contact_shapelets::core

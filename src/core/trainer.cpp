@@ -23,7 +23,9 @@ enum Stream : std::uint32_t { kLearning, kRandomShapelets, kVotingEpisodes, kVot
 /// How much more short shapelets may count than long ones with a voter. Learned scales span a factor of 16, reaches of
 /// random shapelets up to that of Q / 9, which needs a lesser exponent.
 constexpr double kLearnedExponent = 2.0;
-constexpr double kRandomExponent = 0.5;
+constexpr double kRandomExponent = 0.25;
+/// Part of the voters that look at the learned shapelets, where there are random ones.
+constexpr double kLearnedShare = 0.55;
 
 /// Parts of a training that are done when its shapelets are learned, when it is known how far they are away, and when
 /// all have voted.
@@ -191,7 +193,8 @@ Eigen::VectorXi VotedLabels(const TrainingResult& result, const Eigen::Ref<const
     kmeans.seed = StreamSeed(options.seed, kVotes);
     return KMeans(model.Features(distances), kmeans).labels;
   }
-  const int random_voters = random_distances.cols() > 0 ? options.voters / 2 : 0;
+  const auto learned_voters = static_cast<int>(std::lround(kLearnedShare * options.voters));
+  const int random_voters = random_distances.cols() > 0 ? options.voters - learned_voters : 0;
   const std::vector<View> views{
       {model.Features(distances), ScalesOf(model), options.voters - random_voters, kLearnedExponent},
       {Standardised(random_distances), result.random_shapelets.Reaches(), random_voters, kRandomExponent}};

@@ -33,11 +33,10 @@ struct ConsensusOptions {
 /// The labels [N] that the voters agree on.
 ///
 /// A voter sees a random half of its view's columns, weighs them by a random exponent, so that short shapelets count
-/// more with some voters than with others, and splits the series by one start of K-means into a random number of parts,
-/// C to 2 C (N at the most). A series then is the one-hot parts that it fell into, side by side, and K-means on those
-/// decides (cluster ensembles: Strehl and Ghosh 2002; of random subspaces and numbers of clusters: Fred and Jain 2005;
-/// decided by K-means: Topchy, Jain and Punch 2003). A voter that fits the series poorly splits them otherwise at each
-/// start, so that its votes scatter and count little. `threads` is 1 or more; the result does not depend on it.
+/// more with some voters than with others, and splits the series into C parts by one start of K-means. K-means on these
+/// parts, one-hot and side by side, is where LatentClasses() starts from, which decides (cluster ensembles: Strehl and
+/// Ghosh 2002; of random subspaces: Fred and Jain 2005). A voter that fits the series poorly splits them otherwise at
+/// each start, so that its votes scatter and count little. `threads` is 1 or more; the result does not depend on it.
 /// \throws std::invalid_argument where no view has a voter, the views' sizes do not match, a greatest exponent is below
 ///   0, a value is not finite, or N < C.
 Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads,

@@ -24,8 +24,8 @@ struct TrainerOptions {
   int clusters = 3;          ///< C, at least 2
   LearnerOptions learner;    ///< shapelet banks
   int kmeans_restarts = 20;  ///< of each clustering, at least 1
-  int voters =
-      100;  ///< see ConsensusLabels(): half on the learned shapelets, half on random ones; 0: one K-means on the former
+  int voters = 200;  ///< see ConsensusLabels(), at least 0: most on the learned shapelets, the others on random ones;
+                     ///< 0: one K-means on the former
   int random_shapelets = 1000;  ///< that vote beside the learned ones, at least 0; 0: learned ones alone
   int voting_episodes = 5000;  ///< at least the clusters: of more episodes as many are drawn to be voted on; the others
                                ///< go to the nearest centroid of those
