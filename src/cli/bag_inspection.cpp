@@ -19,6 +19,7 @@
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/topics.h"
+#include "ros/bag_damage.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -266,6 +267,7 @@ void ReadModel(const std::string& path, BagInspection* inspection) {
 }  // namespace
 
 BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
+  const BagDamage damage(path);
   rosbag::Bag bag;
   OpenBag(path, &bag);
   BagInspection inspection;

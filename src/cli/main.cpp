@@ -24,7 +24,7 @@ using contact_shapelets::cli::Command;
 constexpr int kBadInput = 1;
 constexpr int kWrongUsage = 2;
 
-/// Takes what rosbag's library says of damaged bags, line by line, while this exists.
+/// Keeps what is said of damaged bags while this exists, so that it does not get into the line that tells of progress.
 class BagErrors : public console_bridge::OutputHandler {
  public:
   BagErrors() { console_bridge::useOutputHandler(this); }
@@ -33,18 +33,14 @@ class BagErrors : public console_bridge::OutputHandler {
   BagErrors& operator=(const BagErrors&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && count_++ == 0) first_ = text;
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) lines_.push_back(contact_shapelets::OneLine(text));
   }
-  /// Says in one line that a bag is damaged where the library went on nevertheless.
   void Print() const {
-    if (count_ == 0) return;
-    std::cerr << "shapelets: a bag is damaged, and a part was left out: " << contact_shapelets::OneLine(first_) << " ("
-              << contact_shapelets::cli::Count(count_, "time") << ")\n";
+    for (const std::string& line : lines_) std::cerr << "shapelets: " << line << '\n';
   }
 
  private:
-  std::string first_;
-  std::size_t count_ = 0;
+  std::vector<std::string> lines_;
 };
 
 int PrintHelp(const std::vector<Command>& commands) {

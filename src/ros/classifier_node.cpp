@@ -5,7 +5,7 @@
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/topics.h"
-#include "text.h"
+#include "ros/text.h"
 
 namespace contact_shapelets {
 

@@ -17,6 +17,7 @@
 #include "contact_shapelets/ros/bag_topics.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/topics.h"
+#include "ros/bag_damage.h"
 
 namespace contact_shapelets {
 namespace {
@@ -208,6 +209,7 @@ std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
 }  // namespace
 
 BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
+  const BagDamage damage(path);
   rosbag::Bag bag;
   OpenBag(path, &bag);
   const BagTopics topics(bag);

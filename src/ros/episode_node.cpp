@@ -6,7 +6,7 @@
 #include "contact_shapelets/ros/action_edges.h"
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/topics.h"
-#include "text.h"
+#include "ros/text.h"
 
 namespace contact_shapelets {
 namespace {

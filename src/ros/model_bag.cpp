@@ -12,7 +12,7 @@
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/topics.h"
-#include "text.h"
+#include "ros/text.h"
 
 namespace contact_shapelets {
 namespace {

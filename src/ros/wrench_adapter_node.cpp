@@ -4,7 +4,7 @@
 
 #include "contact_shapelets/ros/parameters.h"
 #include "contact_shapelets/ros/topics.h"
-#include "text.h"
+#include "ros/text.h"
 
 namespace contact_shapelets {
 namespace {

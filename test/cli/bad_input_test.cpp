@@ -77,15 +77,15 @@ TEST_F(BadInputTest, BagThatIsDamagedWithin) {
   ExpectRefusal({"inspect", folder_ / "damaged.bag"}, 1, {"damaged.bag", "damaged"});
 }
 
-TEST_F(BadInputTest, MessageThatIsLeftOutOfADamagedBagIsSaid) {
+TEST_F(BadInputTest, MessageThatIsLeftOutOfADamagedBagIsSaidOfThatBag) {
   std::string bag = ReadFile(Sound());
   // The first time in the first index: behind the field of its version and the length of its data, 4 bytes each.
   const std::size_t time = bag.find("ver=") + 4 + 4 + 4;
   bag.replace(time, 8, 8, '\0');
-  const ProgramRun run = RunShapelets({"inspect", WriteFile(folder_ / "damaged.bag", bag)});
+  const ProgramRun run = RunShapelets({"inspect", Sound(), WriteFile(folder_ / "damaged.bag", bag)});
   EXPECT_EQ(run.status, 0);
   ASSERT_EQ(Lines(run.err).size(), 1U) << run.err;
-  EXPECT_NE(run.err.find("a part was left out"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("damaged.bag: the bag is damaged, and a part was left out"), std::string::npos) << run.err;
 }
 
 TEST_F(BadInputTest, NoWrenchTopic) {
