@@ -19,7 +19,7 @@ mkdir -p "$workspace/src"
 ln -sfn "$package" "$workspace/src/contact_shapelets"
 cd "$workspace"
 if ! catkin_make -j"$(nproc)" -DPYTHON_EXECUTABLE=/usr/bin/python3 "$@" >"$workspace/build.log" 2>&1; then
-  grep -E 'error|Error' -A5 "$workspace/build.log" | head -60 >&2
+  { grep -E 'error|Error|not found' -A5 "$workspace/build.log" | head -60 >&2; } || true
   echo "The build failed; its whole output is in $workspace/build.log" >&2
   exit 1
 fi

@@ -54,6 +54,7 @@ done
 # The watch is there before the first push.
 rosrun contact_shapelets watch_diagnoses.py --episodes 12 --timeout 120 --unknown slipped_off collision missing &
 watch=$!
+started+=("$watch")
 echo
 if [ -x "$(dirname "$setup")/lib/contact_shapelets/simulated_cell_node" ]; then
   echo "Pushing in the simulated cell at four times its speed"
@@ -63,7 +64,8 @@ else
   echo "Replaying $bags/switch_push_raw.bag at four times its speed (no MuJoCo: no simulated cell)"
   cell=false
 fi
-roslaunch contact_shapelets demo.launch cell:="$cell" model:="$output/model.bag" speed:=4 >"$output/demo.log" 2>&1 &
+roslaunch contact_shapelets demo.launch cell:="$cell" model:="$output/model.bag" speed:=4 \
+  topics:="/episode_active /episode_event /outcome" >"$output/demo.log" 2>&1 &
 started+=($!)
 status=0
 wait "$watch" || status=$?

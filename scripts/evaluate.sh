@@ -26,9 +26,14 @@ set +u
 . "$setup"
 set -u
 shapelets=$workspace/devel/lib/contact_shapelets/shapelets
+dataset=$workspace/devel/lib/contact_shapelets/switch_push_dataset
 if [ ! -s "$results/switch_push_test.bag" ]; then
+  if [ ! -x "$dataset" ]; then
+    echo "the simulated pushes need MuJoCo: install libmujoco-dev, or put switch_push_train.bag and _test.bag into $results" >&2
+    exit 1
+  fi
   # As many simulated pushes as the paper had real ones: 489 and 81.
-  "$workspace/devel/lib/contact_shapelets/switch_push_dataset" --seed 1 --raw 0 --out "$results"
+  "$dataset" --seed 1 --raw 0 --out "$results"
 fi
 bags=(--bags "$results/switch_push_train.bag" --test-bags "$results/switch_push_test.bag" --bags-name "switch push")
 development=ECG200,CBF,FaceFour,OSULeaf,ArrowHead,BeetleFly,Car,DistalPhalanxTW,FaceAll,Ham,ItalyPowerDemand,Meat,MoteStrain,SwedishLeaf

@@ -267,7 +267,7 @@ void ReadModel(const std::string& path, BagInspection* inspection) {
 }  // namespace
 
 BagInspection InspectBag(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
-  const BagDamage damage(path);
+  BagDamage damage(path);
   rosbag::Bag bag;
   OpenBag(path, &bag);
   BagInspection inspection;

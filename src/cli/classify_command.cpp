@@ -18,6 +18,7 @@
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/output_file.h"
 #include "contact_shapelets/ros/topics.h"
+#include "ros/bag_damage.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -52,6 +53,7 @@ void Annotate(const Arguments& arguments, const core::Model& model, const std::v
     rosbag::Bag output(temporary, rosbag::bagmode::Write);
     output.setCompression(rosbag::compression::LZ4);
     for (const std::string& path : arguments.bags.bags) {
+      BagDamage damage(path);
       const rosbag::Bag input(path, rosbag::bagmode::Read);
       rosbag::View view(input);
       for (const rosbag::MessageInstance& message : view) {

@@ -27,19 +27,23 @@ constexpr int kWrongUsage = 2;
 /// Keeps what is said of damaged bags while this exists, so that it does not get into the line that tells of progress.
 class BagErrors : public console_bridge::OutputHandler {
  public:
-  BagErrors() { console_bridge::useOutputHandler(this); }
-  ~BagErrors() override { console_bridge::restorePreviousOutputHandler(); }
+  BagErrors() : outer_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
+  ~BagErrors() override { console_bridge::useOutputHandler(outer_); }
   BagErrors(const BagErrors&) = delete;
   BagErrors& operator=(const BagErrors&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) lines_.push_back(contact_shapelets::OneLine(text));
+    const std::string line = contact_shapelets::OneLine(text);
+    // A command may read a bag twice.
+    const bool known = std::find(lines_.begin(), lines_.end(), line) != lines_.end();
+    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && !known) lines_.push_back(line);
   }
   void Print() const {
     for (const std::string& line : lines_) std::cerr << "shapelets: " << line << '\n';
   }
 
  private:
+  console_bridge::OutputHandler* outer_;
   std::vector<std::string> lines_;
 };
 
@@ -82,6 +86,7 @@ int main(int argc, char** argv) {
     std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << " (shapelets --help says more)\n";
     return kWrongUsage;
   } catch (const std::exception& error) {
+    bag_errors.Print();
     std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << '\n';
     return kBadInput;
   }

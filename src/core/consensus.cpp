@@ -77,11 +77,11 @@ Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusO
     });
     if (on_votes) on_votes(static_cast<double>(last) / count);
   }
-  KMeansOptions deciding;
-  deciding.clusters = options.clusters;
-  deciding.restarts = options.restarts;
-  deciding.seed = StreamSeed(options.seed, static_cast<std::uint32_t>(voters.size()));
-  return LatentClasses(votes, KMeans(Ballots(votes), deciding).labels, options.clusters);
+  KMeansOptions start;
+  start.clusters = options.clusters;
+  start.restarts = options.restarts;
+  start.seed = StreamSeed(options.seed, static_cast<std::uint32_t>(voters.size()));
+  return LatentClasses(votes, KMeans(Ballots(votes), start).labels, options.clusters);
 }
 
 }  // namespace contact_shapelets::core

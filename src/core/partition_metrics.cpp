@@ -107,11 +107,14 @@ std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& l
   const std::vector<int> assigned = LeastCostAssignment(-table);
   for (int cluster = 0; cluster < clusters; ++cluster) {
     const int column = assigned[static_cast<std::size_t>(cluster)];
-    if (column >= 0 && table(cluster, column) > 0.0) named[static_cast<std::size_t>(cluster)] = names[column];
-    if (!named[static_cast<std::size_t>(cluster)].empty()) continue;
     Eigen::Index most = 0;
     const double items = table.row(cluster).maxCoeff(&most);
-    if (2.0 * items > table.row(cluster).sum()) named[static_cast<std::size_t>(cluster)] = names[most];
+    std::string& name = named[static_cast<std::size_t>(cluster)];
+    if (column >= 0 && items > 0.0 && 2.0 * table(cluster, column) >= items) {
+      name = names[static_cast<std::size_t>(column)];
+    } else if (2.0 * items > table.row(cluster).sum()) {
+      name = names[static_cast<std::size_t>(most)];
+    }
   }
   return named;
 }

@@ -36,6 +36,9 @@ constexpr double kVoted = 0.98;
 /// [N] A tare leaves rounding errors of a constant force, which are all that its magnitude then holds.
 constexpr float kRounding = 1e-9F;
 
+/// Of distances between features: what rounding alone makes of equal episodes.
+constexpr float kLeastLimit = 1e-3F;
+
 void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   if (episodes.size() < static_cast<std::size_t>(clusters)) {
     throw std::invalid_argument("there are fewer episodes (" + std::to_string(episodes.size()) + ") than clusters (" +
@@ -70,7 +73,22 @@ float NoveltyLimit(std::vector<float> distances, double quantile, double margin)
   std::sort(distances.begin(), distances.end());
   const auto last = static_cast<double>(distances.size() - 1);
   const float covered = distances[static_cast<std::size_t>(std::lround(quantile * last))];
-  return std::max(static_cast<float>(margin) * covered, 1e-3F);
+  return std::max(static_cast<float>(margin) * covered, kLeastLimit);
+}
+
+/// A cluster whose episodes are all alike, such as one of a single episode, says nothing of how far others may be: it
+/// takes the median of the others' limits.
+void WidenLeastLimits(std::vector<Cluster>* clusters) {
+  std::vector<float> limits;
+  for (const Cluster& cluster : *clusters) {
+    if (cluster.novelty_limit > kLeastLimit) limits.push_back(cluster.novelty_limit);
+  }
+  if (limits.empty()) return;
+  const auto middle = limits.begin() + static_cast<std::ptrdiff_t>(limits.size() / 2);
+  std::nth_element(limits.begin(), middle, limits.end());
+  for (Cluster& cluster : *clusters) {
+    if (cluster.novelty_limit <= kLeastLimit) cluster.novelty_limit = *middle;
+  }
 }
 
 /// Centroids are taken on the learned shapelets' features alone, so that one pass over an episode classifies it.
@@ -91,6 +109,7 @@ std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& featu
     cluster.novelty_limit = NoveltyLimit(distances, options.novelty_quantile, options.novelty_margin);
     clusters.push_back(std::move(cluster));
   }
+  WidenLeastLimits(&clusters);
   return clusters;
 }
 

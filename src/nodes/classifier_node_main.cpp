@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "classifier_node");
-  const contact_shapelets::ClassifierNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  contact_shapelets::ClassifierNode node{ros::NodeHandle(), ros::NodeHandle("~")};
   ros::spin();
   return 0;
 }

@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "wrench_adapter_node");
-  const contact_shapelets::WrenchAdapterNode node{ros::NodeHandle(), ros::NodeHandle("~")};
+  contact_shapelets::WrenchAdapterNode node{ros::NodeHandle(), ros::NodeHandle("~")};
   ros::spin();
   return 0;
 }

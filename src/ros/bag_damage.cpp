@@ -1,5 +1,6 @@
 #include "ros/bag_damage.h"
 
+#include <exception>
 #include <utility>
 
 #include "ros/text.h"
@@ -12,13 +13,14 @@ BagDamage::BagDamage(std::string path) : path_(std::move(path)), outer_(console_
 
 BagDamage::~BagDamage() {
   console_bridge::useOutputHandler(outer_);
-  if (count_ == 0) return;
-  CONSOLE_BRIDGE_logError("%s: the bag is damaged, and a part was left out: %s (%zu %s)", path_.c_str(),
-                          OneLine(first_).c_str(), count_, count_ == 1 ? "time" : "times");
+  // An exception says of its own what is wrong with the bag.
+  if (first_.empty() || std::uncaught_exceptions() > 0) return;
+  CONSOLE_BRIDGE_logError("%s: the bag is damaged, and a part was left out: %s", path_.c_str(),
+                          OneLine(first_).c_str());
 }
 
 void BagDamage::log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) {
-  if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && count_++ == 0) first_ = text;
+  if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && first_.empty()) first_ = text;
 }
 
 }  // namespace contact_shapelets

@@ -2,13 +2,13 @@
 
 #include <console_bridge/console.h>
 
-#include <cstddef>
 #include <string>
 
 namespace contact_shapelets {
 
 /// Takes what rosbag's library says of a damaged bag, message by message, while this exists, and says it in one line at
-/// the end. To be made before the bag is opened; bags are read one at a time, since the library's log is the process's.
+/// the end. To be made before the bag is opened, which reads its index. Bags are read one at a time, since the
+/// library's log is the process's.
 class BagDamage : public console_bridge::OutputHandler {
  public:
   /// For the bag `path`.
@@ -18,14 +18,13 @@ class BagDamage : public console_bridge::OutputHandler {
   BagDamage(const BagDamage&) = delete;
   BagDamage& operator=(const BagDamage&) = delete;
 
-  /// Counts errors.
+  /// Keeps the first error.
   void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override;
 
  private:
   std::string path_;
   console_bridge::OutputHandler* outer_;
   std::string first_;
-  std::size_t count_ = 0;
 };
 
 }  // namespace contact_shapelets

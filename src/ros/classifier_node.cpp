@@ -2,6 +2,8 @@
 
 #include <std_msgs/String.h>
 
+#include <algorithm>
+
 #include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "contact_shapelets/ros/topics.h"
@@ -59,8 +61,7 @@ void ClassifierNode::LoadModelFile() {
 }
 
 void ClassifierNode::OnModel(const ShapeletModel& message) {
-  // The trainer's latched model lacks the names that were given here since.
-  if (classifier_ && classifier_->model().id == message.model_id) return;
+  if (classifier_ && classifier_->model().id == message.model_id) return TakeNames(message);
   try {
     classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
     model_fault_.clear();
@@ -68,6 +69,16 @@ void ClassifierNode::OnModel(const ShapeletModel& message) {
   } catch (const std::exception& error) {
     model_fault_ = "a model by topic was refused: " + OneLine(error.what());
     ROS_ERROR("%s", model_fault_.c_str());
+  }
+}
+
+void ClassifierNode::TakeNames(const ShapeletModel& message) {
+  model_fault_.clear();
+  const std::size_t count = std::min(message.cluster_labels.size(), classifier_->model().clusters.size());
+  for (std::size_t index = 0; index < count; ++index) {
+    // The trainer's latched model lacks the names that were given here since.
+    if (message.cluster_labels[index].empty() || !classifier_->model().clusters[index].label.empty()) continue;
+    classifier_->NameCluster(static_cast<int>(index), message.cluster_labels[index]);
   }
 }
 

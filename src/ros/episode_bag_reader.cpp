@@ -209,7 +209,7 @@ std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
 }  // namespace
 
 BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
-  const BagDamage damage(path);
+  BagDamage damage(path);
   rosbag::Bag bag;
   OpenBag(path, &bag);
   const BagTopics topics(bag);

@@ -82,7 +82,15 @@ TEST_F(BadInputTest, MessageThatIsLeftOutOfADamagedBagIsSaidOfThatBag) {
   // The first time in the first index: behind the field of its version and the length of its data, 4 bytes each.
   const std::size_t time = bag.find("ver=") + 4 + 4 + 4;
   bag.replace(time, 8, 8, '\0');
-  const ProgramRun run = RunShapelets({"inspect", Sound(), WriteFile(folder_ / "damaged.bag", bag)});
+  const std::string damaged = WriteFile(folder_ / "damaged.bag", bag);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"inspect", Sound(), damaged}, {"inspect", damaged, folder_ / "none.bag"}}) {
+    const ProgramRun run = RunShapelets(arguments);
+    ASSERT_FALSE(Lines(run.err).empty());
+    EXPECT_NE(Lines(run.err)[0].find("damaged.bag: the bag is damaged, and a part was left out"), std::string::npos)
+        << run.err;
+  }
+  const ProgramRun run = RunShapelets({"inspect", damaged});
   EXPECT_EQ(run.status, 0);
   ASSERT_EQ(Lines(run.err).size(), 1U) << run.err;
   EXPECT_NE(run.err.find("damaged.bag: the bag is damaged, and a part was left out"), std::string::npos) << run.err;

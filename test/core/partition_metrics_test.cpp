@@ -219,6 +219,12 @@ TEST(NameClusters, MaximisesTheItemsNamedRightOverAllClusters) {
   EXPECT_EQ(NameClusters(Labels({0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1}), outcomes, 2), (Names{"b", "a"}));
 }
 
+TEST(NameClusters, DoNotGiveAClusterTheNameOfARareOutcomeThatItHardlyHolds) {
+  const Names outcomes = {"a", "a", "a", "a", "a", "a", "a", "rare", "rare"};
+  EXPECT_EQ(NameClusters(Labels({0, 0, 1, 1, 1, 1, 1, 1, 1}), outcomes, 2), (Names{"a", "a"}));
+  EXPECT_EQ(NameClusters(Labels({0, 0, 0, 1, 1, 1, 1, 1, 1}), outcomes, 2), (Names{"a", "rare"}));
+}
+
 TEST(NameClusters, IgnoresItemsWithoutAnOutcome) {
   EXPECT_EQ(NameClusters(Labels({0, 0, 0, 1}), {"", "", "a", "b"}, 2), (Names{"a", "b"}));
 }

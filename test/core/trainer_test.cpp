@@ -102,6 +102,20 @@ TEST(TrainModel, CallsAnEpisodeUnlikeAnyTrainingEpisodeUnknown) {
   EXPECT_EQ(diagnosis.event, "unknown");
 }
 
+TEST(TrainModel, GivesAClusterOfEqualEpisodesTheLimitOfOthers) {
+  std::vector<Episode> episodes = PlantedEpisodes(20, 0, 10);
+  const Episode first = episodes.front();
+  for (Episode& episode : episodes) {
+    if (episode.outcome == first.outcome) episode.force = first.force;
+  }
+  const TrainingResult result = TrainModel(episodes, QuickOptions());
+  const std::vector<Cluster>& clusters = result.model.clusters;
+  const int equal = result.labels[0];
+  ASSERT_EQ(result.model.EventOf(equal), first.outcome);
+  EXPECT_TRUE(clusters[equal].novelty_limit == clusters[(equal + 1) % 3].novelty_limit ||
+              clusters[equal].novelty_limit == clusters[(equal + 2) % 3].novelty_limit);
+}
+
 TEST(TrainModel, RefusesFewerEpisodesThanClusters) {
   EXPECT_THROW(TrainModel({PlantedEpisodes(1, 0, 1).front()}, QuickOptions()), std::invalid_argument);
 }

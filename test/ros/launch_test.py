@@ -109,6 +109,22 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(plain["/episode_node/contact_on"].value, 12.0)
         self.assertEqual(told["/episode_node/segmentation"].value, "action")
 
+    def test_recorded_pushes_are_diagnosed_without_further_subscribers(self):
+        events = []
+        subscriber = rospy.Subscriber("/event", rospy.AnyMsg, events.append)
+        command = ["roslaunch", "--wait", PACKAGE, "demo.launch", "cell:=false", "speed:=20"]
+        with subprocess.Popen(command, start_new_session=True) as process:
+            try:
+                end = time.monotonic() + LIMIT
+                while not events and time.monotonic() < end:
+                    time.sleep(0.02)
+            finally:
+                process.send_signal(signal.SIGINT)
+                process.wait(LIMIT)
+                rospy.delete_param("/use_sim_time")
+        subscriber.unregister()
+        self.assertTrue(events)
+
     def test_diagnose_starts_and_ends(self):
         health = Health()
         command = ["roslaunch", "--wait", PACKAGE, "diagnose.launch", "model:=" + rospy.get_param("/paths/model")]

@@ -182,6 +182,25 @@ TEST(Classifier, TakesANewModelByTopicWithoutARestartAndKeepsItsNames) {
   }
 }
 
+TEST(Classifier, TakesNamesThatTheSameModelByTopicGotLater) {
+  ros::NodeHandle node_handle;
+  RunningClassifier node("topic");
+  Diagnostics diagnostics;
+  ASSERT_TRUE(node.WaitForConnections());
+  core::Model model = LoadModel(PathParameter("model"));
+  model.id = "named later";
+  for (core::Cluster& cluster : model.clusters) cluster.label.clear();
+  ros::Publisher publisher = node_handle.advertise<ShapeletModel>("topic/model", 1, true);
+  publisher.publish(ToMessage(model, ros::Time::now()));
+  ASSERT_TRUE(diagnostics.WaitForValue("topic/classifier_node", "model", model.id));
+  Diagnosis diagnosis;
+  ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
+  EXPECT_EQ(diagnosis.event, "cluster_" + std::to_string(diagnosis.cluster));
+  for (core::Cluster& cluster : model.clusters) cluster.label = "told";
+  publisher.publish(ToMessage(model, ros::Time::now()));
+  EXPECT_TRUE(WaitUntil([&] { return node.Diagnosed(AnEpisode(), &diagnosis) && diagnosis.event == "told"; }));
+}
+
 TEST(Classifier, RefusesABadModelByTopicAndKeepsTheOldOne) {
   ros::NodeHandle node_handle;
   RunningClassifier node("file");

@@ -26,7 +26,7 @@ using VotesCallback = std::function<void(double)>;
 /// Parameters of ConsensusLabels().
 struct ConsensusOptions {
   int clusters = 2;        ///< C, at least 1
-  int restarts = 20;       ///< of the K-means that decides, at least 1
+  int restarts = 20;       ///< of the K-means that the decision begins with, at least 1
   std::uint64_t seed = 0;  ///< equal seeds give equal labels
 };
 

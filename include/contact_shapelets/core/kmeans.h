@@ -4,8 +4,8 @@
 #include <cstdint>
 
 /// \file
-/// K-means with k-means++ seeding: the one clustering that every method shares, so that methods differ in features
-/// alone.
+/// K-means with k-means++ seeding: the one clustering of every method that has none of its own, so that these
+/// differ in features alone.
 
 namespace contact_shapelets::core {
 

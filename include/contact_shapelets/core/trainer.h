@@ -23,7 +23,7 @@ namespace contact_shapelets::core {
 struct TrainerOptions {
   int clusters = 3;          ///< C, at least 2
   LearnerOptions learner;    ///< shapelet banks
-  int kmeans_restarts = 20;  ///< of each clustering, at least 1
+  int kmeans_restarts = 20;  ///< of the K-means that the decision begins with, at least 1
   int voters = 200;  ///< see ConsensusLabels(), at least 0: most on the learned shapelets, the others on random ones;
                      ///< 0: one K-means on the former
   int random_shapelets = 1000;  ///< that vote beside the learned ones, at least 0; 0: learned ones alone

@@ -26,6 +26,7 @@ class ClassifierNode {
   void ReadParameters();
   void LoadModelFile();
   void OnModel(const ShapeletModel& message);
+  void TakeNames(const ShapeletModel& message);
   void OnEpisode(const Episode& message);
   void OnProgress(const Episode& message);
   void Diagnose(const Episode& message, bool final);
