@@ -38,24 +38,51 @@ std::string Text(const Parts&... parts) {
   return text.str();
 }
 
+/// Adds the intervals of `before`, with which rate and jitter go, to those of `joined`.
+void JoinIntervals(const StreamSummary& before, StreamSummary* joined) {
+  if (before.rate == 0.0) return;
+  const StreamSummary after = *joined;
+  joined->intervals += before.intervals;
+  if (after.rate == 0.0) {
+    joined->rate = before.rate;
+    joined->jitter = before.jitter;
+    return;
+  }
+  const double part = static_cast<double>(before.intervals) / static_cast<double>(joined->intervals);
+  const double difference = 1.0 / before.rate - 1.0 / after.rate;
+  joined->rate = 1.0 / (part / before.rate + (1.0 - part) / after.rate);
+  joined->jitter = std::sqrt(part * before.jitter * before.jitter + (1.0 - part) * after.jitter * after.jitter +
+                             part * (1.0 - part) * difference * difference);
+}
+
+/// Widens the ranges of `joined` to those of `before`; takes them over where they are the `only` ones.
+void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
+  joined->least_force = only ? before.least_force : std::min(before.least_force, joined->least_force);
+  joined->greatest_force = std::max(before.greatest_force, joined->greatest_force);
+  joined->least_components =
+      only ? before.least_components : before.least_components.cwiseMin(joined->least_components).eval();
+  joined->greatest_components =
+      only ? before.greatest_components : before.greatest_components.cwiseMax(joined->greatest_components).eval();
+}
+
 }  // namespace
 
 void StreamMonitor::AddSample(Nanoseconds time, const Eigen::Vector3d& force) {
   const double magnitude = force.norm();
-  summary_.least_force = summary_.samples == 0 ? magnitude : std::min(summary_.least_force, magnitude);
-  summary_.greatest_force = std::max(summary_.greatest_force, magnitude);
-  const bool first = summary_.samples == 0;
-  summary_.least_components = first ? force : summary_.least_components.cwiseMin(force).eval();
-  summary_.greatest_components = first ? force : summary_.greatest_components.cwiseMax(force).eval();
-  ++summary_.samples;
+  lap_.least_force = lap_.samples == 0 ? magnitude : std::min(lap_.least_force, magnitude);
+  lap_.greatest_force = std::max(lap_.greatest_force, magnitude);
+  const bool first = lap_.samples == 0;
+  lap_.least_components = first ? force : lap_.least_components.cwiseMin(force).eval();
+  lap_.greatest_components = first ? force : lap_.greatest_components.cwiseMax(force).eval();
+  ++lap_.samples;
   if (!has_last_) {
     has_last_ = true;
     run_start_ = time;
   } else {
     AddInterval(Seconds(time - last_time_));
     if (force == last_force_) {
-      ++summary_.repeated;
-      summary_.longest_frozen = std::max(summary_.longest_frozen, Seconds(time - run_start_));
+      ++lap_.repeated;
+      lap_.longest_frozen = std::max(lap_.longest_frozen, Seconds(time - run_start_));
     } else {
       run_start_ = time;
     }
@@ -65,47 +92,79 @@ void StreamMonitor::AddSample(Nanoseconds time, const Eigen::Vector3d& force) {
 }
 
 void StreamMonitor::AddInterval(double interval) {
-  summary_.duration += interval;
-  summary_.longest_interval = std::max(summary_.longest_interval, interval);
+  lap_.duration += interval;
+  lap_.longest_interval = std::max(lap_.longest_interval, interval);
   const double limit = kGapFactor * typical_interval_;
   // The first few intervals say too little of what is typical.
-  const bool gap = intervals_ >= 10 && interval > std::max(limit, kGapSeconds);
+  const std::int64_t known = before_.intervals + lap_.intervals;
+  const bool gap = known >= 10 && interval > std::max(limit, kGapSeconds);
   // A gap counts for little, but a rate that really changed becomes the typical one.
-  const double change = (intervals_ >= 10 ? std::min(interval, limit) : interval) - typical_interval_;
-  typical_interval_ += change / static_cast<double>(std::min<std::int64_t>(intervals_ + 1, 100));
+  const double change = (known >= 10 ? std::min(interval, limit) : interval) - typical_interval_;
+  typical_interval_ += change / static_cast<double>(std::min<std::int64_t>(known + 1, 100));
   if (gap) {
-    ++summary_.gaps;
+    ++lap_.gaps;
     return;
   }
-  ++intervals_;
+  ++lap_.intervals;
   const double before = interval - mean_interval_;
-  mean_interval_ += before / static_cast<double>(intervals_);
+  mean_interval_ += before / static_cast<double>(lap_.intervals);
   squared_deviations_ += before * (interval - mean_interval_);
 }
 
 void StreamMonitor::AddRepeatedMessage(Nanoseconds time) {
-  ++summary_.repeated_messages;
-  summary_.longest_frozen = std::max(summary_.longest_frozen, Seconds(time - run_start_));
+  ++lap_.repeated_messages;
+  lap_.longest_frozen = std::max(lap_.longest_frozen, Seconds(time - run_start_));
 }
 
 void StreamMonitor::JumpBack() {
-  ++summary_.jumps_back;
+  ++lap_.jumps_back;
   has_last_ = false;
 }
 
 void StreamMonitor::SetStamps(std::int64_t zero_stamps, std::int64_t wrong_stamps, double clock_offset) {
-  summary_.zero_stamps = zero_stamps;
-  summary_.wrong_stamps = wrong_stamps;
-  summary_.clock_offset = clock_offset;
+  lap_.zero_stamps = zero_stamps - before_.zero_stamps;
+  lap_.wrong_stamps = wrong_stamps - before_.wrong_stamps;
+  lap_.clock_offset = clock_offset;
 }
 
-StreamSummary StreamMonitor::Summary() const {
-  StreamSummary summary = summary_;
-  if (intervals_ > 0 && mean_interval_ > 0.0) {
-    summary.rate = 1.0 / mean_interval_;
-    summary.jitter = std::sqrt(squared_deviations_ / static_cast<double>(intervals_));
+StreamSummary StreamMonitor::Summary() const { return Joined(before_, Lap()); }
+
+StreamSummary StreamMonitor::TakeLap() {
+  const StreamSummary lap = Lap();
+  before_ = Joined(before_, lap);
+  lap_ = StreamSummary();
+  lap_.clock_offset = lap.clock_offset;
+  mean_interval_ = 0.0;
+  squared_deviations_ = 0.0;
+  return lap;
+}
+
+StreamSummary StreamMonitor::Lap() const {
+  StreamSummary lap = lap_;
+  if (lap.intervals > 0 && mean_interval_ > 0.0) {
+    lap.rate = 1.0 / mean_interval_;
+    lap.jitter = std::sqrt(squared_deviations_ / static_cast<double>(lap.intervals));
   }
-  return summary;
+  return lap;
+}
+
+StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
+  StreamSummary joined = after;
+  joined.samples += before.samples;
+  joined.not_finite += before.not_finite;
+  joined.out_of_order += before.out_of_order;
+  joined.zero_stamps += before.zero_stamps;
+  joined.wrong_stamps += before.wrong_stamps;
+  joined.jumps_back += before.jumps_back;
+  joined.repeated += before.repeated;
+  joined.repeated_messages += before.repeated_messages;
+  joined.gaps += before.gaps;
+  joined.duration += before.duration;
+  joined.longest_interval = std::max(joined.longest_interval, before.longest_interval);
+  joined.longest_frozen = std::max(joined.longest_frozen, before.longest_frozen);
+  JoinIntervals(before, &joined);
+  if (before.samples > 0) JoinForces(before, after.samples == 0, &joined);
+  return joined;
 }
 
 std::vector<StreamFault> Faults(const StreamSummary& summary) {

@@ -15,6 +15,7 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
     return false;
   }
   const SampleTime sample = clock_.Resolve(stamp, arrival);
+  monitor_.SetStamps(clock_.zero_stamps(), clock_.wrong_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
   if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
     monitor_.AddOutOfOrder();
     return false;
@@ -44,12 +45,6 @@ void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::strin
   segmenter_.AddEdge(
       stamp == 0 ? EpisodeEdge{open, now, EdgeSource::kPlain, id} : EpisodeEdge{open, stamp, EdgeSource::kStamped, id},
       now);
-}
-
-StreamSummary WrenchStream::Summary() const {
-  StreamMonitor monitor = monitor_;
-  monitor.SetStamps(clock_.zero_stamps(), clock_.wrong_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
-  return monitor.Summary();
 }
 
 }  // namespace contact_shapelets::core

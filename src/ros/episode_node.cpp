@@ -1,6 +1,7 @@
 #include "contact_shapelets/ros/episode_node.h"
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 #include "contact_shapelets/ros/action_edges.h"
@@ -19,7 +20,7 @@ constexpr core::Nanoseconds kJumpBack = 500'000'000;
 constexpr double kBatch = 0.004;
 /// Batches without a wrench after which none is taken to come: fewer may be a busy machine's backlog.
 constexpr int kIdleBatches = 8;
-/// Diagnostics judge what happened within as many seconds.
+/// Diagnostics judge what happened within as many seconds: a fault that is over does not stay in them for ever.
 constexpr std::size_t kRecent = 10;
 
 core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
@@ -28,24 +29,6 @@ core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
 core::Nanoseconds NowOr(core::Nanoseconds otherwise) {
   const core::Nanoseconds now = Now();
   return now > 0 ? now : otherwise;
-}
-
-/// What was counted from `before` to `now`: a fault that is over does not stay in the diagnostics for ever.
-core::StreamSummary Since(const core::StreamSummary& before, const core::StreamSummary& now) {
-  core::StreamSummary recent = now;
-  recent.samples -= before.samples;
-  recent.not_finite -= before.not_finite;
-  recent.out_of_order -= before.out_of_order;
-  recent.zero_stamps -= before.zero_stamps;
-  recent.wrong_stamps -= before.wrong_stamps;
-  recent.jumps_back -= before.jumps_back;
-  recent.repeated -= before.repeated;
-  recent.repeated_messages -= before.repeated_messages;
-  recent.gaps -= before.gaps;
-  recent.duration -= before.duration;
-  recent.rate = recent.duration > 0.0 ? static_cast<double>(recent.samples) / recent.duration : 0.0;
-  if (recent.longest_frozen <= before.longest_frozen) recent.longest_frozen = 0.0;
-  return recent;
 }
 
 }  // namespace
@@ -242,10 +225,10 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
     return;
   }
+  laps_.push_back(stream_->TakeLap());
+  if (laps_.size() > kRecent) laps_.pop_front();
+  const core::StreamSummary recent = std::accumulate(laps_.begin(), laps_.end(), core::StreamSummary(), core::Joined);
   const core::StreamSummary summary = stream_->Summary();
-  summaries_.push_back(summary);
-  if (summaries_.size() > kRecent + 1) summaries_.pop_front();
-  const core::StreamSummary recent = Since(summaries_.front(), summary);
   const std::vector<std::string> findings = core::Findings(recent);
   const double idle = (ros::SteadyTime::now() - last_wrench_).toSec();
   if (summary.samples == 0) {
@@ -262,8 +245,8 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
     status.add("finding " + std::to_string(index), findings[index]);
   }
   status.add("rate [Hz]", recent.rate);
-  status.add("jitter [s]", summary.jitter);
-  status.add("longest interval [s]", summary.longest_interval);
+  status.add("jitter [s]", recent.jitter);
+  status.add("longest interval [s]", recent.longest_interval);
   status.add("clock offset [s]", summary.clock_offset);
   status.add("samples", summary.samples);
   status.add("not finite", summary.not_finite);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "contact_shapelets/core/random.h"
 #include "wrench_signal.h"
@@ -180,6 +181,64 @@ TEST(StreamMonitor, StartsIntervalsAfreshWhereTimeBeganAnew) {
   EXPECT_NEAR(summary.duration, 2.0, 1e-9);
   EXPECT_EQ(summary.gaps, 0);
   EXPECT_TRUE(Finds(summary, "time jumped back 1 times"));
+}
+
+TEST(StreamMonitor, ALapHasOnlyTheGapsFrozenSpellsAndDropsOfItsOwn) {
+  StreamMonitor monitor;
+  Play(&monitor, 0.0, 0.01, 100);
+  for (int index = 0; index < 200; ++index) monitor.AddSample(Time(5.0 + 0.01 * index), AlongZ(7.0));
+  monitor.AddNotFinite();
+  EXPECT_NEAR(monitor.TakeLap().longest_frozen, 1.99, 1e-9);
+
+  Play(&monitor, 7.0, 0.01, 100);
+  const StreamSummary sound = monitor.TakeLap();
+  EXPECT_EQ(sound.samples, 100);
+  EXPECT_NEAR(sound.rate, 100.0, 1e-6);
+  EXPECT_TRUE(Findings(sound).empty());
+
+  Play(&monitor, 8.29, 0.01, 100);
+  EXPECT_EQ(Findings(monitor.TakeLap()), std::vector<std::string>{"1 gaps, the longest of 0.3 s"});
+}
+
+TEST(StreamMonitor, ALapCountsTheSpellThatBeganBeforeIt) {
+  StreamMonitor monitor;
+  Play(&monitor, 0.0, 0.01, 100);
+  for (int index = 0; index < 100; ++index) monitor.AddSample(Time(1.0 + 0.01 * index), AlongZ(7.0));
+  EXPECT_NEAR(monitor.TakeLap().longest_frozen, 0.99, 1e-9);
+  for (int index = 100; index < 200; ++index) monitor.AddSample(Time(1.0 + 0.01 * index), AlongZ(7.0));
+  EXPECT_NEAR(monitor.TakeLap().longest_frozen, 1.99, 1e-9);
+}
+
+TEST(StreamMonitor, LapsJoinToWhatIsCountedWithoutThem) {
+  Random random(3);
+  StreamMonitor whole;
+  StreamMonitor split;
+  StreamSummary joined;
+  double time = 0.0;
+  for (int index = 0; index < 1000; ++index) {
+    const Eigen::Vector3d force(random.Uniform(-1.0, 1.0), random.Uniform(3.0, 4.0), index / 100 == 4 ? 0.5 : index);
+    time += index == 650 ? 2.0 : random.Uniform(0.004, 0.006);
+    for (StreamMonitor* monitor : {&whole, &split}) {
+      monitor->AddSample(Time(time), force);
+      monitor->SetStamps(index / 2, index / 3, 0.7);
+    }
+    if (index % 150 == 0) joined = Joined(joined, split.TakeLap());
+  }
+  joined = Joined(joined, split.TakeLap());
+  const StreamSummary expected = whole.Summary();
+  for (const StreamSummary& summary : {joined, split.Summary()}) {
+    EXPECT_EQ(Findings(summary), Findings(expected));
+    EXPECT_EQ(summary.samples, 1000);
+    EXPECT_EQ(summary.gaps, 1);
+    EXPECT_EQ(summary.intervals, expected.intervals);
+    EXPECT_EQ(summary.zero_stamps, 499);
+    EXPECT_NEAR(summary.rate, expected.rate, 1e-9 * expected.rate);
+    EXPECT_NEAR(summary.jitter, expected.jitter, 1e-9 * expected.jitter);
+    EXPECT_NEAR(summary.duration, expected.duration, 1e-9);
+    EXPECT_EQ(summary.least_force, expected.least_force);
+    EXPECT_EQ(summary.greatest_components, expected.greatest_components);
+    EXPECT_EQ(summary.least_components, expected.least_components);
+  }
 }
 
 TEST(StreamMonitor, ReportsWhatTheClockKnowsOfStamps) {

@@ -17,6 +17,7 @@ import rospkg
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import WrenchStamped
 
 PACKAGE = "contact_shapelets"
 ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
@@ -47,15 +48,19 @@ def remaps_of(config, node_type):
 
 
 class Health:
-    """The last diagnostic status of each node."""
+    """The last diagnostic status of each node, and its first with samples."""
 
     def __init__(self):
         self.last = {}
+        self.first_with_samples = {}
         self.subscriber = rospy.Subscriber("/diagnostics", DiagnosticArray, self.take)
 
     def take(self, array):
         for status in array.status:
-            self.last[status.name.split(":")[0]] = status.message
+            node = status.name.split(":")[0]
+            self.last[node] = status.message
+            if any(entry.key == "samples" and int(entry.value) > 0 for entry in status.values):
+                self.first_with_samples.setdefault(node, status.message)
 
     def wait_for(self, node, part):
         end = time.monotonic() + LIMIT
@@ -135,6 +140,26 @@ class LaunchFiles(unittest.TestCase):
             finally:
                 process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(LIMIT), 0)
+
+
+class Diagnostics(unittest.TestCase):
+    def test_the_first_status_with_samples_does_not_miss_them(self):
+        health = Health()
+        publisher = rospy.Publisher("/fresh/wrench", WrenchStamped, queue_size=100)
+        (program,) = roslib.packages.find_node(PACKAGE, "episode_node")[:1]
+        wrench = WrenchStamped()
+        with subprocess.Popen([program, "__ns:=/fresh", "__name:=episode_node"]) as process:
+            try:
+                end = time.monotonic() + LIMIT
+                while not health.first_with_samples and time.monotonic() < end:
+                    wrench.header.stamp = rospy.Time.now()
+                    wrench.wrench.force.z += 0.001
+                    publisher.publish(wrench)
+                    time.sleep(0.005)
+            finally:
+                process.send_signal(signal.SIGINT)
+        (message,) = health.first_with_samples.values()
+        self.assertNotIn("no usable sample", message)
 
 
 class Training(unittest.TestCase):

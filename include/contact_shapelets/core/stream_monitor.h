@@ -23,6 +23,7 @@ struct StreamSummary {
   std::int64_t repeated = 0;           ///< same force as the sample before, to the last bit
   std::int64_t repeated_messages = 0;  ///< dropped: same force and same stamp as the sample before
   std::int64_t gaps = 0;               ///< intervals above three times the typical one and above 20 ms
+  std::int64_t intervals = 0;          ///< outside of gaps
   double duration = 0.0;               ///< [s] first to last sample
   double rate = 0.0;                   ///< [Hz] mean outside of gaps; 0 with fewer than 2 samples
   double jitter = 0.0;                 ///< [s] standard deviation of the intervals outside of gaps
@@ -41,9 +42,9 @@ class StreamMonitor {
   /// Counts a finite sample at `time` with this `force` [N]; times only go forward.
   void AddSample(Nanoseconds time, const Eigen::Vector3d& force);
   /// Counts a sample that was dropped since it held NaN or infinity.
-  void AddNotFinite() { ++summary_.not_finite; }
+  void AddNotFinite() { ++lap_.not_finite; }
   /// Counts a sample that was dropped since it was out of order.
-  void AddOutOfOrder() { ++summary_.out_of_order; }
+  void AddOutOfOrder() { ++lap_.out_of_order; }
   /// Whether `force` is that of the last sample, to the last bit.
   bool IsLastForce(const Eigen::Vector3d& force) const { return has_last_ && force == last_force_; }
   /// Counts a message that was dropped since it repeats the last one with its stamp; it came at `time`.
@@ -55,20 +56,26 @@ class StreamMonitor {
 
   /// What was counted so far.
   StreamSummary Summary() const;
+  /// What was counted since the last call, or since the start. What is typical of the stream stays known.
+  StreamSummary TakeLap();
 
  private:
   void AddInterval(double interval);
+  StreamSummary Lap() const;
 
-  StreamSummary summary_;
+  StreamSummary before_;  ///< of all laps but the present one
+  StreamSummary lap_;     ///< without rate and jitter
   bool has_last_ = false;
   Nanoseconds last_time_ = 0;
   Nanoseconds run_start_ = 0;
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
-  std::int64_t intervals_ = 0;  ///< without gaps
   double typical_interval_ = 0.0;
-  double mean_interval_ = 0.0;
+  double mean_interval_ = 0.0;  ///< of the lap, as the next
   double squared_deviations_ = 0.0;
 };
+
+/// The summary of two laps of a stream, `after` right after `before`.
+StreamSummary Joined(const StreamSummary& before, const StreamSummary& after);
 
 /// Something that is wrong with a stream.
 struct StreamFault {

@@ -36,7 +36,9 @@ class WrenchStream {
   /// The segmenter, which holds the results.
   const EpisodeSegmenter& segmenter() const { return segmenter_; }
   /// The health of the whole stream.
-  StreamSummary Summary() const;
+  StreamSummary Summary() const { return monitor_.Summary(); }
+  /// The health of the stream since the last call, or since the start.
+  StreamSummary TakeLap() { return monitor_.TakeLap(); }
 
  private:
   SampleClock clock_;

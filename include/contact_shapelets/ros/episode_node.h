@@ -68,7 +68,7 @@ class EpisodeNode {
   ros::SteadyTime last_wrench_ = ros::SteadyTime::now();
   core::Nanoseconds last_arrival_ = 0;
   std::int64_t jumps_back_ = 0;
-  std::deque<core::StreamSummary> summaries_;       ///< of the last diagnostics
+  std::deque<core::StreamSummary> laps_;            ///< from one diagnostics to the next
   std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
 
   ros::CallbackQueue wrench_queue_;
