@@ -1,5 +1,8 @@
 #include "contact_shapelets/ros/wrench_adapter_node.h"
 
+#include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 
 #include "contact_shapelets/ros/parameters.h"
@@ -12,12 +15,22 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr Eigen::Index kJoints = 7;
+/// [s] Torques are made a wrench by joint positions that are at most as much older or newer.
+constexpr double kPositionAge = 0.2;
+/// [s] A driver without a message for longer counts as gone.
+constexpr double kSilence = 1.0;
 
 Eigen::VectorXd JointValues(const std::vector<double>& values, const std::string& what) {
   if (values.size() != kJoints) {
     throw std::runtime_error(what + " has " + std::to_string(values.size()) + " values, expected 7");
   }
   return Eigen::Map<const Eigen::VectorXd>(values.data(), kJoints);
+}
+
+std::string Tenths(double seconds) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << seconds << " s";
+  return text.str();
 }
 
 }  // namespace
@@ -93,6 +106,7 @@ void WrenchAdapterNode::ReadParameters() {
 }
 
 void WrenchAdapterNode::OnDriver(const Message::ConstPtr& message) {
+  last_message_ = ros::SteadyTime::now();
   try {
     const core::Wrench wrench = WrenchOf(*message);
     geometry_msgs::WrenchStamped output;
@@ -116,8 +130,13 @@ void WrenchAdapterNode::OnDriver(const Message::ConstPtr& message) {
 void WrenchAdapterNode::OnJointStates(const Message::ConstPtr& message) {
   try {
     joint_states_.Take(*message);
+    positions_ = JointValues(joint_states_.Numbers("position"), "position");
+    positions_stamp_ = joint_states_.Header().stamp;
+    positions_arrival_ = ros::Time::now();
+    joint_fault_.clear();
   } catch (const std::exception& error) {
-    ROS_ERROR_THROTTLE(5.0, "%s: %s", joint_subscriber_.getTopic().c_str(), error.what());
+    joint_fault_ = joint_subscriber_.getTopic() + ": " + error.what();
+    ROS_ERROR_THROTTLE(5.0, "%s", joint_fault_.c_str());
   }
 }
 
@@ -136,22 +155,38 @@ core::Wrench WrenchAdapterNode::WrenchOf(const Message& message) {
 }
 
 core::Wrench WrenchAdapterNode::WrenchOfTorques() {
-  if (joint_states_.empty()) throw std::runtime_error("no message yet on " + joint_subscriber_.getTopic());
-  return core::FlangeWrench(geometry_, JointValues(joint_states_.Numbers("position"), "position"),
-                            JointValues(driver_.Numbers(field_), field_), damping_);
+  if (positions_.size() == 0) throw std::runtime_error("no positions yet on " + joint_subscriber_.getTopic());
+  const ros::Time stamp = driver_.Header().stamp;
+  const bool stamped = !stamp.isZero() && !positions_stamp_.isZero();
+  const double age =
+      stamped ? stamp.toSec() - positions_stamp_.toSec() : ros::Time::now().toSec() - positions_arrival_.toSec();
+  if (std::abs(age) > kPositionAge) {
+    throw std::runtime_error("the last position on " + joint_subscriber_.getTopic() + " is " + Tenths(std::abs(age)) +
+                             (age > 0.0 ? " older" : " newer") + " than the torques, more than " +
+                             Tenths(kPositionAge));
+  }
+  return core::FlangeWrench(geometry_, positions_, JointValues(driver_.Numbers(field_), field_), damping_);
 }
 
 void WrenchAdapterNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status) {
-  if (!parameter_faults_.empty()) {
-    status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
-  } else if (!fault_.empty()) {
-    status.summary(DiagnosticStatus::ERROR, fault_);
-  } else if (published_ == 0) {
-    status.summary(DiagnosticStatus::WARN, "no message yet on " + driver_subscriber_.getTopic());
+  const std::string topic = driver_subscriber_.getTopic();
+  const bool heard = !last_message_.isZero();
+  const double silence = (ros::SteadyTime::now() - last_message_).toSec();
+  std::string faults;
+  for (const std::string& fault :
+       {parameter_faults_.empty() ? "" : "parameters are out of range: " + parameter_faults_, joint_fault_, fault_,
+        heard && silence > kSilence ? "no message for " + Tenths(silence) + " on " + topic : ""}) {
+    if (!fault.empty()) faults += (faults.empty() ? "" : "; ") + fault;
+  }
+  if (!faults.empty()) {
+    status.summary(DiagnosticStatus::ERROR, faults);
+  } else if (!heard) {
+    status.summary(DiagnosticStatus::WARN, "no message yet on " + topic);
   } else {
     status.summary(DiagnosticStatus::OK, "wrench is published");
   }
   status.add("published", published_);
+  if (heard) status.add("time since the last message [s]", silence);
 }
 
 }  // namespace contact_shapelets

@@ -69,11 +69,15 @@ class Diagnostics {
       return status != last_.end() && condition(status->second);
     });
   }
+  /// Whether the last report of `node` has this level and a part of the summary.
+  bool Says(const std::string& node, int level, const std::string& part) const {
+    const auto status = last_.find(node);
+    return status != last_.end() && status->second.level == level &&
+           status->second.message.find(part) != std::string::npos;
+  }
   /// Waits for a level and a part of the summary.
   bool WaitFor(const std::string& node, int level, const std::string& part) {
-    return WaitFor(node, [&](const Status& status) {
-      return status.level == level && status.message.find(part) != std::string::npos;
-    });
+    return WaitUntil([&] { return Says(node, level, part); });
   }
   /// Waits for the value of a key.
   bool WaitForValue(const std::string& node, const std::string& key, const std::string& value) {

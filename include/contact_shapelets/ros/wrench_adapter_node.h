@@ -16,8 +16,10 @@
 namespace contact_shapelets {
 
 /// Publishes `wrench` for drivers that have it in a message of their own, or only the external torques of the joints.
-/// Messages are read by the definition that comes with them, so that no driver's package is needed. Its callbacks need
-/// a queue that one thread serves.
+/// Messages are read by the definition that comes with them, so that no driver's package is needed. Torques become a
+/// wrench by joint positions that are at most 0.2 s older or newer, by the stamps where both have one, else by arrival:
+/// the last pose of an arm that has gone on moving would give a wrench that nothing exerts. Its callbacks need a queue
+/// that one thread serves.
 class WrenchAdapterNode {
  public:
   /// Reads parameters from `private_node_handle` and subscribes. A parameter that is out of range is logged and
@@ -32,7 +34,6 @@ class WrenchAdapterNode {
    public:
     /// Makes `message` the one that is read. \throws std::runtime_error where its definition cannot be understood.
     void Take(const Message& message);
-    bool empty() const { return !definition_; }
     std::vector<double> Numbers(const std::string& path) const;
     /// The header of the message, empty where it has none.
     std_msgs::Header Header() const;
@@ -60,10 +61,15 @@ class WrenchAdapterNode {
   double damping_ = 0.05;
   core::ArmGeometry geometry_;
   std::string parameter_faults_;
-  std::string fault_;  ///< why the last message gave no wrench; empty where it did
+  std::string fault_;        ///< why the last message gave no wrench; empty where it did
+  std::string joint_fault_;  ///< why the last joint states gave no positions; empty where they did
   int published_ = 0;
   Reader driver_;
   Reader joint_states_;
+  ros::SteadyTime last_message_;  ///< zero before there was one
+  Eigen::VectorXd positions_;     ///< [rad] empty before there were any
+  ros::Time positions_stamp_;     ///< zero where they have none
+  ros::Time positions_arrival_;
 
   ros::Publisher wrench_publisher_;
   ros::Subscriber driver_subscriber_;
