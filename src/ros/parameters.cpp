@@ -3,6 +3,9 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <regex>
+
+#include "ros/text.h"
 
 namespace contact_shapelets {
 namespace {
@@ -17,6 +20,34 @@ const std::map<std::string, core::TareSource> kTareSources{{"episode_start", cor
                                                            {"service", core::TareSource::kService}};
 const std::map<std::string, core::Objective> kObjectives{{"contrastive", core::Objective::kContrastive},
                                                          {"paper", core::Objective::kPaper}};
+
+constexpr char kNumber[] = "a number";
+constexpr char kNumbers[] = "a list of numbers";
+
+/// How to write a number that rosparam takes for a text, such as 1e-2; empty for other texts.
+std::string SpellingOf(const std::string& text) {
+  if (text.size() > kLongestNumber) return "";
+  const std::regex number("([-+]?)([0-9]*)\\.?([0-9]*)([eE]([-+]?)([0-9]+))?");
+  std::smatch parts;
+  if (!std::regex_match(text, parts, number) || parts.length(2) + parts.length(3) == 0) return "";
+  const auto or_else = [&parts](std::size_t part, const char* otherwise) {
+    return parts.length(part) > 0 ? parts.str(part) : otherwise;
+  };
+  const bool power = parts.length(4) > 0;
+  if (!power && parts.length(2) > 0) return "";
+  const std::string spelling =
+      parts.str(1) + or_else(2, "0") + "." + or_else(3, "0") + (power ? "e" + or_else(5, "+") + parts.str(6) : "");
+  return spelling == text ? "" : spelling;
+}
+
+/// Likewise for a value or the first such item of a list.
+std::string SpellingOf(XmlRpcValue value) {
+  if (value.getType() == XmlRpcValue::TypeString) return SpellingOf(static_cast<std::string&>(value));
+  if (value.getType() != XmlRpcValue::TypeArray) return "";
+  std::string spelling;
+  for (int index = 0; index < value.size() && spelling.empty(); ++index) spelling = SpellingOf(value[index]);
+  return spelling;
+}
 
 double ToNumber(const XmlRpcValue& value) {
   // The accessors of XmlRpcValue are not const in all versions.
@@ -48,11 +79,20 @@ const XmlRpcValue* ParameterReader::Find(const std::string& name, const std::str
 }
 
 void ParameterReader::AddTypeFault(const std::string& name, const std::string& expected) {
-  faults_ << name << " must be " << expected << ", but is " << tree_[name] << '\n';
+  const XmlRpcValue& value = tree_[name];
+  faults_ << name << " must be " << expected << ", but ";
+  if (value.valid()) {
+    faults_ << "is " << value;
+  } else {
+    faults_ << "has no value";
+  }
+  const std::string spelling = expected == kNumber || expected == kNumbers ? SpellingOf(value) : "";
+  if (!spelling.empty()) faults_ << ", which rosparam takes for a text: write " << spelling;
+  faults_ << '\n';
 }
 
 void ParameterReader::Read(const std::string& name, double* value) {
-  if (const auto* found = Find(name, "a number", {XmlRpcValue::TypeInt, XmlRpcValue::TypeDouble})) {
+  if (const auto* found = Find(name, kNumber, {XmlRpcValue::TypeInt, XmlRpcValue::TypeDouble})) {
     Replace(name, ToNumber(*found), value);
   }
 }
@@ -85,12 +125,12 @@ void ParameterReader::Read(const std::string& name, std::uint64_t* value) {
 }
 
 void ParameterReader::Read(const std::string& name, std::vector<double>* value) {
-  const auto* found = Find(name, "a list of numbers", {XmlRpcValue::TypeArray});
+  const auto* found = Find(name, kNumbers, {XmlRpcValue::TypeArray});
   if (found == nullptr) return;
   std::vector<double> numbers;
   for (int index = 0; index < found->size(); ++index) {
     const XmlRpcValue& item = (*found)[index];
-    if (!IsNumber(item)) return AddTypeFault(name, "a list of numbers");
+    if (!IsNumber(item)) return AddTypeFault(name, kNumbers);
     numbers.push_back(ToNumber(item));
   }
   Replace(name, numbers, value);

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace contact_shapelets {
+
+/// Longer texts are no numbers: std::regex takes stack by the letter.
+constexpr std::size_t kLongestNumber = 100;
 
 /// The text without line breaks, for logs and diagnostics.
 inline std::string OneLine(const std::string& text) {

@@ -1,27 +1,71 @@
 #include <yaml-cpp/yaml.h>
 
-#include <cstdint>
+#include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <limits>
+#include <regex>
+#include <sstream>
 #include <stdexcept>
 
 #include "contact_shapelets/ros/parameters.h"
+#include "ros/text.h"
 
 namespace contact_shapelets {
 namespace {
 
-/// A scalar of the type that rosparam would give it.
+/// The rules of YAML 1.1, by which rosparam knows kinds of values; yaml-cpp goes by YAML 1.2.
+const std::regex kBool("yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF");
+const std::regex kTrue("[yYtT].*|on|On|ON");
+const std::regex kInt(
+    "[-+]?(0b_*[01][01_]*|0[0-7_]+|0|[1-9][0-9_]*|0x_*[0-9a-fA-F][0-9a-fA-F_]*|[1-9][0-9_]*(:[0-5]?[0-9])+)");
+const std::regex kFloat(
+    "[-+]?[0-9][0-9_]*\\.[0-9_]*([eE][-+][0-9]+)?|\\.[0-9][0-9_]*([eE][-+][0-9]+)?|"
+    "[-+]?[0-9][0-9_]*(:[0-5]?[0-9])+\\.[0-9_]*|[-+]?\\.(inf|Inf|INF)|\\.(nan|NaN|NAN)");
+
+/// The magnitude of a number without sign and underscores; digits after colons count 60 times less.
+double Magnitude(const std::string& digits) {
+  if (digits == ".inf") return std::numeric_limits<double>::infinity();
+  if (digits == ".nan") return std::numeric_limits<double>::quiet_NaN();
+  double value = 0.0;
+  std::istringstream parts(digits);
+  for (std::string part; std::getline(parts, part, ':');) value = 60.0 * value + std::strtod(part.c_str(), nullptr);
+  return value;
+}
+
+/// The magnitude of a whole number, likewise.
+double WholeMagnitude(const std::string& digits) {
+  const auto of_base = [&digits](std::size_t prefix, int base) {
+    return static_cast<double>(std::strtoull(digits.c_str() + prefix, nullptr, base));
+  };
+  if (digits.rfind("0b", 0) == 0) return of_base(2, 2);
+  if (digits.rfind("0x", 0) == 0) return of_base(2, 16);
+  return digits.front() == '0' ? of_base(0, 8) : Magnitude(digits);
+}
+
+/// False for what is quoted, said to be a text, or of a kind that only rosparam knows, such as !degrees.
+bool IsPlain(const std::string& tag) {
+  const std::string standard = "tag:yaml.org,2002:";
+  return tag.empty() || tag == "?" || (tag.rfind(standard, 0) == 0 && tag != standard + "str");
+}
+
+/// A scalar of the type that rosparam would give it; invalid where it has none, a text where rosparam would fail.
 XmlRpc::XmlRpcValue ScalarOf(const YAML::Node& node) {
+  if (!node.IsScalar()) return {};
   const std::string& text = node.Scalar();
-  if (node.Tag() == "!") return {text};  // quoted
-  char* end = nullptr;
-  const std::int64_t whole = std::strtoll(text.c_str(), &end, 10);
-  const bool fits = whole >= std::numeric_limits<int>::min() && whole <= std::numeric_limits<int>::max();
-  if (!text.empty() && *end == '\0' && fits) return {static_cast<int>(whole)};
-  const double number = std::strtod(text.c_str(), &end);
-  if (!text.empty() && *end == '\0') return {number};
-  if (text == "true" || text == "false") return {text == "true"};
-  return {text};
+  if (!IsPlain(node.Tag()) || text.size() > kLongestNumber) return {text};
+  if (std::regex_match(text, kBool)) return {std::regex_match(text, kTrue)};
+  const bool whole = std::regex_match(text, kInt);
+  if (!whole && !std::regex_match(text, kFloat)) return {text};
+  const double sign = text.front() == '-' ? -1.0 : 1.0;
+  std::string digits = text.substr(text.find_first_not_of("+-"));
+  digits.erase(std::remove(digits.begin(), digits.end(), '_'), digits.end());
+  std::transform(digits.begin(), digits.end(), digits.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  if (!whole) return {sign * Magnitude(digits)};
+  const double value = sign * WholeMagnitude(digits);
+  const bool fits = value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
+  return fits ? XmlRpc::XmlRpcValue(static_cast<int>(value)) : XmlRpc::XmlRpcValue(text);
 }
 
 XmlRpc::XmlRpcValue ValueOf(const YAML::Node& node) {

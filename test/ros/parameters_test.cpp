@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 
 namespace contact_shapelets {
@@ -93,6 +95,83 @@ TEST(ParameterReader, RefusesWhatIsNoSingleWholeNumber) {
     ParameterReader reader = ReaderOf("clusters: " + value + "\n");
     ReadTrainerOptions(&reader);
     EXPECT_NE(reader.Faults().find("clusters must be a whole number"), std::string::npos) << value;
+  }
+}
+
+TEST(ParameterReader, TakesWholeNumbersByYaml11) {
+  const std::map<std::string, int> values{{"010", 8},   {"0b101", 5}, {"0x1F", 31},     {"1_000", 1000},    {"+12", 12},
+                                          {"1:30", 90}, {"-0", 0},    {"!!int 12", 12}, {"-2:00:01", -7201}};
+  for (const auto& [text, expected] : values) {
+    ParameterReader reader = ReaderOf("value: " + text + "\n");
+    int value = -1;
+    reader.Read("value", &value);
+    EXPECT_EQ(value, expected) << text;
+    EXPECT_EQ(reader.Faults(), "") << text;
+  }
+}
+
+TEST(ParameterReader, TakesNumbersByYaml11) {
+  const std::map<std::string, double> values{{"1.0e-2", 0.01},     {"3.", 3.0},         {".5", 0.5},  {"-1_0.5", -10.5},
+                                             {"1:30.5", 90.5},     {"2.5E+2", 250.0},   {"010", 8.0}, {"010.0", 10.0},
+                                             {"-0:00:30.", -30.0}, {"-.inf", -INFINITY}};
+  for (const auto& [text, expected] : values) {
+    ParameterReader reader = ReaderOf("value: " + text + "\n");
+    double value = -1.0;
+    reader.Read("value", &value);
+    EXPECT_EQ(value, expected) << text;
+    EXPECT_EQ(reader.Faults(), "") << text;
+  }
+}
+
+TEST(ParameterReader, TakesEachSpellingOfTrueAndFalse) {
+  for (const std::string text : {"yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}) {
+    ParameterReader reader = ReaderOf("early: " + text + "\n");
+    bool early = false;
+    reader.Read("early", &early);
+    EXPECT_TRUE(early) << text;
+  }
+  for (const std::string text : {"no", "No", "NO", "false", "False", "FALSE", "off", "Off", "OFF"}) {
+    ParameterReader reader = ReaderOf("early: " + text + "\n");
+    EXPECT_FALSE(ReadClassifierOptions(&reader).early) << text;
+  }
+}
+
+TEST(ParameterReader, SaysHowToWriteANumberThatRosparamTakesForAText) {
+  const std::map<std::string, std::string> spellings{
+      {"1e-2", "1.0e-2"}, {"1.5e3", "1.5e+3"}, {"1E5", "1.0e+5"}, {"-.5", "-0.5"}, {"[1, 2e-1]", "2.0e-1"}};
+  for (const auto& [text, spelling] : spellings) {
+    ParameterReader reader = ReaderOf("value: " + text + "\n");
+    double value = -1.0;
+    std::vector<double> values;
+    text.front() == '[' ? reader.Read("value", &values) : reader.Read("value", &value);
+    EXPECT_NE(reader.Faults().find("which rosparam takes for a text: write " + spelling + "\n"), std::string::npos)
+        << reader.Faults();
+  }
+}
+
+TEST(ParameterReader, RefusesOtherTextsAsNumbersWithoutAdvice) {
+  for (const std::string text :
+       {"soon", "\"5\"", "inf", "089", "0x_", "1.2.3", "99999999999", "!degrees 90", ".", ".e3"}) {
+    ParameterReader reader = ReaderOf("value: " + text + "\n");
+    double value = -1.0;
+    reader.Read("value", &value);
+    EXPECT_NE(reader.Faults().find("value must be a number, but is "), std::string::npos) << text;
+    EXPECT_EQ(reader.Faults().find("write"), std::string::npos) << text;
+  }
+}
+
+TEST(ParameterReader, RefusesAMillionDigits) {
+  ParameterReader reader = ReaderOf("value: " + std::string(1'000'000, '1') + "\n");
+  double value = -1.0;
+  reader.Read("value", &value);
+  EXPECT_NE(reader.Faults().find("value must be a number"), std::string::npos);
+}
+
+TEST(ParameterReader, RefusesAParameterWithoutAValue) {
+  for (const std::string text : {"", "~", "null", "{a: 3}"}) {
+    ParameterReader reader = ReaderOf("model: " + text + "\n");
+    ReadClassifierOptions(&reader);
+    EXPECT_EQ(reader.Faults(), "model must be a text, but has no value\n") << text;
   }
 }
 

@@ -24,7 +24,8 @@ class ParameterReader {
   explicit ParameterReader(const XmlRpc::XmlRpcValue& tree);
   /// Reads from the namespace of `node_handle`.
   explicit ParameterReader(const ros::NodeHandle& node_handle);
-  /// Reads from YAML files, later ones winning. \throws std::runtime_error naming a file that cannot be read.
+  /// Reads from YAML files, later ones winning. Values are of the types that rosparam would give them: 1e-2 is a text.
+  /// \throws std::runtime_error naming a file that cannot be read.
   static ParameterReader FromYaml(const std::vector<std::string>& paths);
 
   /// Sets `value` where the parameter is set; notes a fault where it is of another type.
