@@ -38,7 +38,8 @@ BankLearner::BankLearner(const std::vector<Eigen::VectorXf>& series, int typical
       first_moment_(Eigen::MatrixXd::Zero(start.rows(), start.cols())),
       second_moment_(Eigen::MatrixXd::Zero(start.rows(), start.cols())),
       windows_(series.size()),
-      matches_(series.size()) {}
+      matches_(series.size()),
+      low_blocks_(series.size()) {}
 
 double BankLearner::Step() {
   const auto count = static_cast<int>(series_.size());
@@ -70,13 +71,14 @@ double BankLearner::Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gr
 
 void BankLearner::FindMatches(const std::vector<int>& chosen) {
   const ShapeletSet set(shapelets_.cast<float>());
+  history_.Add(set);
   ParallelFor(static_cast<int>(chosen.size()), threads_, [&](int row) {
     const int index = chosen[row];
     if (!windows_[index]) {
       const auto length = static_cast<int>(shapelets_.cols());
       windows_[index] = std::make_unique<WindowSet>(ExtendedTo(series_[index], length), length, options_.flat_fraction);
     }
-    FindBestMatches(*windows_[index], set, matches_[index], MatchOptions{}, &matches_[index]);
+    FindBestMatchesAgain(*windows_[index], set, history_, &low_blocks_[index], &matches_[index]);
   });
 }
 

@@ -8,6 +8,7 @@
 #include "contact_shapelets/core/learner.h"
 #include "contact_shapelets/core/ncc.h"
 #include "contact_shapelets/core/random.h"
+#include "core/ncc_low_blocks.h"
 
 namespace contact_shapelets::core {
 
@@ -57,6 +58,8 @@ class BankLearner {
   double objective_ = 0.0;
   std::vector<std::unique_ptr<WindowSet>> windows_;  ///< of each series, made when first needed
   std::vector<std::vector<Match>> matches_;          ///< of each series at the last step that it took part in
+  std::vector<LowBlocks> low_blocks_;                ///< of each series, of its steps so far
+  ShapeletHistory history_;                          ///< of the shapelets at these
 };
 
 }  // namespace contact_shapelets::core

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contact_shapelets/core/ncc.h"
+#include "core/ncc_low_blocks.h"
 #include "core/ncc_prepared.h"
 #include "core/ncc_search.h"
 #include "core/ncc_tile.h"
@@ -16,6 +17,12 @@ using tile::kGroup;
 constexpr float kMargin = 2e-6F;
 /// More than any value.
 constexpr float kBeyond = 2.0F;
+/// What low values lag behind the best one by. With more of it fewer blocks are low, and for longer.
+constexpr float kLag = 0.08F;
+/// What low values may be off by in single precision, with kMargin.
+constexpr float kSlack = 5e-5F;
+/// The loops compare with values above 0.
+constexpr float kLeast = 1e-3F;
 
 void GrowTo(int size, std::vector<float>* values) {
   if (values->size() < static_cast<std::size_t>(size)) values->resize(static_cast<std::size_t>(size));
@@ -53,6 +60,26 @@ class Search {
     }
   }
 
+  /// Decides by the hints whose low blocks are to be noted anew.
+  void TakeLowBlocks(const ShapeletHistory& history, LowBlocks* low_blocks) {
+    low_blocks_ = low_blocks;
+    low_blocks->noted.resize(static_cast<std::size_t>(shapelets_.count()));
+    for (int k = 0; k < shapelets_.count(); ++k) {
+      LowBlocks::Noted& noted = low_blocks->noted[k];
+      const float reached = noted.most + history.Moved(noted.step, k) + kSlack;
+      noted.renewed = !prepared_.constant[k] && matches_[k].similarity < reached;
+      if (noted.renewed) noted.step = history.step();
+    }
+  }
+
+  /// Notes what the low values of this search were below: thresholds only rise in it.
+  void FinishLowBlocks() {
+    for (int k = 0; k < shapelets_.count(); ++k) {
+      LowBlocks::Noted& noted = low_blocks_->noted[k];
+      if (noted.renewed) noted.most = Lowered(Threshold(k));
+    }
+  }
+
   void Run(const WindowStretch& stretch, Pruning pruning) {
     PreparedWindows& block = memory_.windows;
     block.Prepare(loops_, windows_, stretch, prepared_.block, pruning == Pruning::kByBounds);
@@ -60,6 +87,7 @@ class Search {
     GrowTo(kGroup * stride, &memory_.sums);
     GrowTo(kGroup * block.full_tiles(), &memory_.largest);
     for (int group = 0; group < prepared_.groups; ++group) {
+      if (low_blocks_ != nullptr) TakeLowBlocksOf(group, block);
       TakeFullOverlaps(block, group, stride);
       for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
         for (const int window : block.hard()) SearchInDouble(k, window);
@@ -81,6 +109,26 @@ class Search {
   float Threshold(int k) const {
     if (k >= shapelets_.count() || prepared_.constant[k]) return kBeyond;
     return std::max(0.0F, matches_[k].similarity) + kMargin;
+  }
+
+  /// What a value must exceed for not being low.
+  static float Lowered(float threshold) { return std::min(threshold, std::max(kLeast, threshold - kLag)); }
+
+  /// Takes the low blocks of a group in the next stretch, and clears those to be noted anew.
+  void TakeLowBlocksOf(int group, const PreparedWindows& block) {
+    const std::size_t size = static_cast<std::size_t>(kGroup) * block.all_tiles();
+    std::vector<tile::BlockBits>& blocks = low_blocks_->blocks;
+    if (blocks.size() < low_offset_ + 2 * size) blocks.resize(low_offset_ + 2 * size);
+    tile::BlockBits* low = blocks.data() + low_offset_;
+    low_offset_ += 2 * size;
+    renewed_ = 0;
+    for (int k = group * kGroup; k < std::min((group + 1) * kGroup, shapelets_.count()); ++k) {
+      if (!low_blocks_->noted[k].renewed) continue;
+      renewed_ |= 1U << (k % kGroup);
+      for (std::size_t tile = k % kGroup; tile < 2 * size; tile += kGroup) low[tile] = 0;
+    }
+    low_of_prefixes_ = low + kGroup * block.further_tiles();
+    low_of_suffixes_ = low_of_prefixes_ + size;
   }
 
   void TakeFullOverlaps(const PreparedWindows& block, int group, int stride) {
@@ -137,7 +185,9 @@ class Search {
     arguments.windows = block.count();
     const int k = group * kGroup;
     arguments.count = std::min(kGroup, shapelets_.count() - k);
-    for (int i = 0; i < kGroup; ++i) arguments.best[i] = Threshold(k + i);
+    arguments.low = direction > 0 ? low_of_prefixes_ : low_of_suffixes_;
+    arguments.renewed = renewed_;
+    for (int i = 0; i < kGroup; ++i) SetThresholds(i, Threshold(k + i), &arguments);
     const int begin = direction > 0 ? 0 : -block.further_tiles();
     const int end = direction > 0 ? block.full_tiles() + block.further_tiles() : block.full_tiles();
     unsigned better = 0;
@@ -145,6 +195,11 @@ class Search {
          tile = loops_.find_better(arguments, tile + 1, end, &better)) {
       TakeTile(block, k, direction, tile, better, &arguments);
     }
+  }
+
+  static void SetThresholds(int i, float best, tile::PartialArguments* arguments) {
+    arguments->best[i] = best;
+    arguments->lowered[i] = (arguments->renewed >> i & 1U) != 0 ? Lowered(best) : best;
   }
 
   /// Takes the best values of a tile's shapelets whose bit in `better` is set.
@@ -157,7 +212,7 @@ class Search {
       if (result.value <= arguments->best[i]) continue;
       const int shift = direction * (prepared_.length - result.overlap);
       Offer(k + i, block.first() + result.position - shift, shift);
-      arguments->best[i] = Threshold(k + i);
+      SetThresholds(i, Threshold(k + i), arguments);
     }
   }
 
@@ -167,18 +222,27 @@ class Search {
   const PreparedShapelets& prepared_;
   SearchMemory::Arrays& memory_;
   std::vector<Match>& matches_;
+  LowBlocks* low_blocks_ = nullptr;  ///< null where none are known and none are to be noted
+  std::size_t low_offset_ = 0;       ///< in these, of the next group
+  // Of the group that is searched, in its stretch.
+  unsigned renewed_ = 0;
+  tile::BlockBits* low_of_prefixes_ = nullptr;
+  tile::BlockBits* low_of_suffixes_ = nullptr;
 };
+
+void CheckSizes(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints) {
+  if (windows.length() != shapelets.length()) throw std::invalid_argument("windows and shapelets differ in length");
+  if (!hints.empty() && static_cast<int>(hints.size()) != shapelets.count()) {
+    throw std::invalid_argument("there must be one hint for each shapelet, or none");
+  }
+}
 
 }  // namespace
 
 void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
                          const std::vector<Match>& hints, Pruning pruning, SearchMemory* memory,
                          std::vector<Match>* matches) {
-  const int length = windows.length();
-  if (length != shapelets.length()) throw std::invalid_argument("windows and shapelets differ in length");
-  if (!hints.empty() && static_cast<int>(hints.size()) != shapelets.count()) {
-    throw std::invalid_argument("there must be one hint for each shapelet, or none");
-  }
+  CheckSizes(windows, shapelets, hints);
   if (hints.empty()) {
     matches->assign(static_cast<std::size_t>(shapelets.count()), Match{});
   } else {
@@ -187,6 +251,22 @@ void FindBestMatchesWith(const tile::Loops& loops, const WindowSet& windows, con
   Search search(loops, windows, shapelets, &memory->arrays(), matches);
   search.TakeHints(hints);
   for (const WindowStretch& stretch : windows.stretches()) search.Run(stretch, pruning);
+}
+
+void FindBestMatchesAgain(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets,
+                          Pruning pruning, const ShapeletHistory& history, SearchMemory* memory, LowBlocks* low_blocks,
+                          std::vector<Match>* matches) {
+  if (pruning != Pruning::kByBounds) {
+    FindBestMatchesWith(loops, windows, shapelets, *matches, pruning, memory, matches);
+    return;
+  }
+  CheckSizes(windows, shapelets, *matches);
+  matches->resize(static_cast<std::size_t>(shapelets.count()));
+  Search search(loops, windows, shapelets, &memory->arrays(), matches);
+  search.TakeHints(*matches);
+  search.TakeLowBlocks(history, low_blocks);
+  for (const WindowStretch& stretch : windows.stretches()) search.Run(stretch, pruning);
+  search.FinishLowBlocks();
 }
 
 }  // namespace contact_shapelets::core

@@ -45,6 +45,8 @@ class PreparedWindows {
   int full_tiles() const { return (count_ + tile_ - 1) / tile_; }
   /// Tiles that hold the positions beyond these, on either side, that partial overlaps reach.
   int further_tiles() const { return further_tiles_; }
+  /// Both, those before position 0 first.
+  int all_tiles() const { return full_tiles() + 2 * further_tiles_; }
   /// Windows too close to their rounding for single precision, counted from the first one of the set.
   const std::vector<int>& hard() const { return hard_; }
 
@@ -75,7 +77,6 @@ class PreparedWindows {
     kColumns
   };
 
-  int all_tiles() const { return full_tiles() + 2 * further_tiles_; }
   const float* Column(int index) const { return values_.data() + index * stride_ + margin_; }
   float* Column(int index) { return values_.data() + index * stride_ + margin_; }
   /// Sets what a column has before its first and from its `count`-th value on.

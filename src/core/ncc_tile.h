@@ -41,6 +41,8 @@ struct FullResult {
 
 /// Blocks that the M - 1 partial overlaps are divided into at the most, for bounds that all in a block share.
 constexpr int kBlocks = 16;
+/// A bit for each of them.
+using BlockBits = unsigned short;
 /// What bounds the values of a tile in each block of overlaps: the largest ones of all windows that these reach. Zeros
 /// where there is no block.
 struct Bounds {
@@ -68,15 +70,18 @@ struct PartialArguments {
   const float* largest;      ///< full overlap by tile, interleaved; -1 where a tile has none
   const Energies* energies;  ///< of the shapelets
   const Bounds* bounds;      ///< by tile; none where `energy` alone is to prune
+  BlockBits* low;            ///< by tile, interleaved: blocks to be left out, which hold nothing better; null for none
   bool prune;                ///< else all overlaps are searched, and `bounds` are left out
   int length;                ///< M
   int windows;               ///< in the stretch
   int count;                 ///< shapelets in the group
   int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
   int direction;
-  int stride;          ///< between the shapelets in `sums`
-  int full_tiles;      ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
-  float best[kGroup];  ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
+  int stride;             ///< between the shapelets in `sums`
+  int full_tiles;         ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  float best[kGroup];     ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
+  unsigned renewed;       ///< bits of the shapelets whose searched blocks are added to `low` where all values are low
+  float lowered[kGroup];  ///< what no low value exceeds, above 0 and at most `best`; `best` where not to be renewed
 };
 /// A value, and where it is.
 struct TileResult {

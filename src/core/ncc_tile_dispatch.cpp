@@ -1,4 +1,5 @@
 #include "contact_shapelets/core/ncc.h"
+#include "core/ncc_low_blocks.h"
 #include "core/ncc_search.h"
 #include "core/ncc_tile.h"
 
@@ -67,6 +68,13 @@ void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, con
                      const MatchOptions& options, std::vector<Match>* matches) {
   SearchMemory memory;
   FindBestMatches(windows, shapelets, hints, options, &memory, matches);
+}
+
+void FindBestMatchesAgain(const WindowSet& windows, const ShapeletSet& shapelets, const ShapeletHistory& history,
+                          LowBlocks* low_blocks, std::vector<Match>* matches) {
+  SearchMemory memory;
+  FindBestMatchesAgain(BestLoops(windows, shapelets), windows, shapelets, BestPruning(shapelets, MatchOptions{}),
+                       history, &memory, low_blocks, matches);
 }
 
 const char* KernelInstructionSet() { return WidestLoops().name; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/ncc_tile.h"
+#include "core/ncc_tile_open.h"
 #include "core/ncc_tile_prepare.h"
 #include "core/ncc_tile_vector.h"
 
@@ -186,13 +187,25 @@ struct TileLoops {
     }
   };
 
+  /// True where a walk down from the full overlaps takes fewer steps than one up.
+  static bool FromFullOverlaps(const PartialArguments& arguments, int tile, Range range) {
+    return HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low;
+  }
+
   /// Calls `evaluate` at every overlap of the range, in the direction that takes fewer steps to reach it.
   template <int Count, typename Evaluate>
   static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
                    Evaluate evaluate) {
+    Walk<Count>(arguments, members, tile, range, FromFullOverlaps(arguments, tile, range), evaluate);
+  }
+
+  /// The same beginning with the full overlaps, or with the least one.
+  template <int Count, typename Evaluate>
+  static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
+                   bool from_full, Evaluate evaluate) {
     const int position = tile * kPositions;
     Sums<Count> sums{};
-    if (HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low) {
+    if (from_full) {
       for (int i = 0; i < Count; ++i) {
         for (int v = 0; v < Vectors; ++v) {
           sums.turned[i][v] = -Load(arguments.sums + members.index[i] * arguments.stride + position + v * Lanes);
@@ -216,14 +229,15 @@ struct TileLoops {
     }
   }
 
-  /// A bit for each shapelet of the group that exceeds its best. The sign of best M sigma - (A - mu S) tells: signs are
-  /// collected by an OR, which leaves the units that multiply and add to the sums.
+  /// A bit for each shapelet of the group that exceeds its value in `least`. The sign of least M sigma - (A - mu S)
+  /// tells: signs are collected by an OR, which leaves the units that multiply and add to the sums.
   template <int Count>
-  static unsigned AnyBetter(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range) {
+  static unsigned AnyBetter(const PartialArguments& arguments, const Members<Count>& members, const float* least,
+                            int tile, Range range, bool from_full) {
     Integers signs[Count] = {};
     Vector best[Count];
-    for (int i = 0; i < Count; ++i) best[i] = Vector{} + arguments.best[members.index[i]];
-    Walk<Count>(arguments, members, tile, range, [&](const Sums<Count>& sums, int window, int overlap) {
+    for (int i = 0; i < Count; ++i) best[i] = Vector{} + least[members.index[i]];
+    Walk<Count>(arguments, members, tile, range, from_full, [&](const Sums<Count>& sums, int window, int overlap) {
       const float* of_overlap = arguments.within + kGroup * overlap;
       Vector within[Count];
       for (int i = 0; i < Count; ++i) within[i] = Of::Spread(of_overlap[members.index[i]]);
@@ -251,7 +265,8 @@ struct TileLoops {
       if (ranges[i].high > all.high) all.high = ranges[i].high;
     }
     if (arguments.bounds == nullptr) all = Reaching(arguments, tile, all);
-    return all.low <= all.high ? AnyBetter<Count>(arguments, members, tile, all) : 0U;
+    if (all.low > all.high) return 0;
+    return AnyBetter<Count>(arguments, members, arguments.best, tile, all, FromFullOverlaps(arguments, tile, all));
   }
 
   /// The shapelets of a group that are useful in a tile, by their index in it, and their overlaps.
@@ -300,6 +315,7 @@ struct TileLoops {
 
   static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     if (arguments.bounds == nullptr) return FindBetterByEnergy(arguments, tile, end, better);
+    if (arguments.low != nullptr) return OpenLoops<TileLoops>::FindBetter(arguments, tile, end, better);
     for (; tile < end; ++tile) {
       const bool has_full = HasFullOverlaps(arguments, tile);
       unsigned blocks[kGroup] = {};
