@@ -22,6 +22,10 @@ void AddMatchedValues(const WindowSet& windows, const Match& match, double weigh
       weight * ((samples.cast<double>().array() - mean) * inverse).cast<float>().cast<double>();
 }
 
+/// What a shapelet may move by from one search of a series to the next for noting which blocks are low to pay: some
+/// half of what low values lag behind by.
+constexpr double kMostMoved = 0.05;
+
 double Distance(const Match& match) { return match.window < 0 ? 1.0 : 1.0 - static_cast<double>(match.similarity); }
 
 }  // namespace
@@ -71,14 +75,21 @@ double BankLearner::Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gr
 
 void BankLearner::FindMatches(const std::vector<int>& chosen) {
   const ShapeletSet set(shapelets_.cast<float>());
-  history_.Add(set);
+  // A step of Adam changes a value by the learning rate or less.
+  const double steps_between = static_cast<double>(series_.size()) / static_cast<double>(chosen.size());
+  const bool often = steps_between * options_.learning_rate <= kMostMoved;
+  if (often) history_.Add(set);
   ParallelFor(static_cast<int>(chosen.size()), threads_, [&](int row) {
     const int index = chosen[row];
     if (!windows_[index]) {
       const auto length = static_cast<int>(shapelets_.cols());
       windows_[index] = std::make_unique<WindowSet>(ExtendedTo(series_[index], length), length, options_.flat_fraction);
     }
-    FindBestMatchesAgain(*windows_[index], set, history_, &low_blocks_[index], &matches_[index]);
+    if (often) {
+      FindBestMatchesAgain(*windows_[index], set, history_, &low_blocks_[index], &matches_[index]);
+    } else {
+      FindBestMatches(*windows_[index], set, matches_[index], MatchOptions{}, &matches_[index]);
+    }
   });
 }
 

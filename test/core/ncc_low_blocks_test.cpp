@@ -88,7 +88,8 @@ std::vector<Case> Cases() {
           {"WholeSeries", Walk(200, 13), 200, 0.0, 0.01F}};
 }
 
-/// Like parts of the series, one constant; they move as those of a learner do, by steps that go on for a while.
+/// Like parts of the series, some unlike, one constant; they move as those of a learner do, by steps that go on for a
+/// while.
 class MovingShapelets {
  public:
   explicit MovingShapelets(const Case& data) : random_(77), step_(data.step) {
@@ -98,7 +99,9 @@ class MovingShapelets {
       const Eigen::VectorXf part = data.series.segment(first, data.length);
       const Eigen::VectorXf other = Walk(data.length, 100 + static_cast<std::uint64_t>(k));
       const float scale = std::max(1e-6F, (part.array() - part.mean()).matrix().norm());
-      values_.row(k) = (part / scale + 0.3F * other / other.norm()).transpose() * std::sqrt(1.0F * data.length);
+      const float likeness = k % 4 == 1 ? 0.0F : 1.0F;
+      values_.row(k) =
+          (likeness * part / scale + 0.3F * other / other.norm()).transpose() * std::sqrt(1.0F * data.length);
     }
     values_.row(3).setConstant(2.0F);
     direction_ = Eigen::MatrixXf::Zero(kShapelets, data.length);
@@ -158,7 +161,7 @@ TEST_P(Again, FindsWhatASearchOfEverythingFinds) {
       ExpectEqual(expected, found);
       known += kShapelets - 1 - CountRenewed(low_blocks);
     }
-    if (GetParam().step < 0.05F) EXPECT_GT(known, 0);
+    EXPECT_TRUE(known > 0 || GetParam().step > 0.05F);
   }
 }
 
@@ -168,10 +171,10 @@ INSTANTIATE_TEST_SUITE_P(Series, Again, testing::ValuesIn(Cases()),
 /// One series, searched once.
 class LowBlocksOfAWalk : public testing::Test {
  protected:
-  LowBlocksOfAWalk() { Search(); }
+  LowBlocksOfAWalk() { SearchFor(moving_.values()); }
 
-  void Search() {
-    const ShapeletSet shapelets(moving_.values());
+  void SearchFor(const Eigen::MatrixXf& values) {
+    const ShapeletSet shapelets(values);
     history_.Add(shapelets);
     FindBestMatchesAgain(windows_, shapelets, history_, &low_blocks_, &matches_);
   }
@@ -189,7 +192,7 @@ TEST_F(LowBlocksOfAWalk, AreNotedBySearchesOfEverythingAlone) {
   const std::vector<tile::BlockBits> noted = low_blocks_.blocks;
   EXPECT_GT(std::count_if(noted.begin(), noted.end(), [](tile::BlockBits bits) { return bits != 0; }), 0);
   moving_.Step();
-  Search();
+  SearchFor(moving_.values());
   EXPECT_EQ(CountRenewed(low_blocks_), 0);
   EXPECT_EQ(low_blocks_.blocks, noted);
 }
@@ -200,7 +203,7 @@ TEST_F(LowBlocksOfAWalk, AreNotSearched) {
   const std::vector<Match> best = matches_;
   for (LowBlocks::Noted& noted : low_blocks_.noted) noted.most = -4.0F;
   for (Match& match : matches_) match.shift = 0;
-  Search();
+  SearchFor(moving_.values());
   int partial = 0;
   for (std::size_t k = 0; k < best.size(); ++k) {
     EXPECT_EQ(matches_[k].shift, 0);
@@ -210,17 +213,14 @@ TEST_F(LowBlocksOfAWalk, AreNotSearched) {
 }
 
 TEST_F(LowBlocksOfAWalk, AreNotedAnewAfterABigStep) {
-  for (int step = 0; step < 400; ++step) moving_.Step();
-  Search();
+  SearchFor(-moving_.values());
   EXPECT_EQ(CountRenewed(low_blocks_), kShapelets - 1);
 }
 
 TEST_F(LowBlocksOfAWalk, AreNotedAnewOfTheShapeletsThatMoved) {
   Eigen::MatrixXf values = moving_.values();
   values.row(5) = Walk(data_.length, 500).transpose();
-  const ShapeletSet shapelets(values);
-  history_.Add(shapelets);
-  FindBestMatchesAgain(windows_, shapelets, history_, &low_blocks_, &matches_);
+  SearchFor(values);
   for (std::size_t k = 0; k < low_blocks_.noted.size(); ++k) EXPECT_EQ(low_blocks_.noted[k].renewed, k == 5) << k;
 }
 
