@@ -85,6 +85,9 @@ std::vector<Case> Cases() {
           {"Noise", Noise(433, 1.0, 10), 80, 0.0, 0.01F},
           {"TinySteps", Walk(433, 11), 129, 0.0, 1e-4F},
           {"WideSteps", Walk(433, 12), 129, 0.0, 0.1F},
+          {"FastWalk", Walk(433, 14), 40, 0.0, 0.03F},
+          {"FastPushes", Pushes(433, 15), 60, 0.3, 0.03F},
+          {"FastNoise", Noise(433, 1.0, 16), 40, 0.0, 0.03F},
           {"WholeSeries", Walk(200, 13), 200, 0.0, 0.01F}};
 }
 
