@@ -1,4 +1,3 @@
-#include <console_bridge/console.h>
 #include <ros/time.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "cli/report_command.h"
 #include "cli/text.h"
 #include "cli/train_command.h"
+#include "ros/bag_damage.h"
 #include "ros/text.h"
 
 namespace {
@@ -25,26 +25,21 @@ constexpr int kBadInput = 1;
 constexpr int kWrongUsage = 2;
 
 /// Keeps what is said of damaged bags while this exists, so that it does not get into the line that tells of progress.
-class BagErrors : public console_bridge::OutputHandler {
+class BagErrors {
  public:
-  BagErrors() : outer_(console_bridge::getOutputHandler()) { console_bridge::useOutputHandler(this); }
-  ~BagErrors() override { console_bridge::useOutputHandler(outer_); }
-  BagErrors(const BagErrors&) = delete;
-  BagErrors& operator=(const BagErrors&) = delete;
-
-  void log(const std::string& text, console_bridge::LogLevel level, const char* /*file*/, int /*line*/) override {
-    const std::string line = contact_shapelets::OneLine(text);
-    // A command may read a bag twice.
-    const bool known = std::find(lines_.begin(), lines_.end(), line) != lines_.end();
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && !known) lines_.push_back(line);
-  }
   void Print() const {
     for (const std::string& line : lines_) std::cerr << "shapelets: " << line << '\n';
   }
 
  private:
-  console_bridge::OutputHandler* outer_;
+  void Take(const std::string& text) {
+    const std::string line = contact_shapelets::OneLine(text);
+    // A command may read a bag twice.
+    if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+  }
+
   std::vector<std::string> lines_;
+  contact_shapelets::BagLog log_{[this](const std::string& text) { Take(text); }};
 };
 
 int PrintHelp(const std::vector<Command>& commands) {

@@ -98,29 +98,29 @@ TEST(ParameterReader, RefusesWhatIsNoSingleWholeNumber) {
   }
 }
 
-TEST(ParameterReader, TakesWholeNumbersByYaml11) {
-  const std::map<std::string, int> values{{"010", 8},   {"0b101", 5}, {"0x1F", 31},     {"1_000", 1000},    {"+12", 12},
-                                          {"1:30", 90}, {"-0", 0},    {"!!int 12", 12}, {"-2:00:01", -7201}};
+/// Expects that each text is read as the number beside it.
+template <typename Number>
+void ExpectRead(const std::map<std::string, Number>& values) {
   for (const auto& [text, expected] : values) {
     ParameterReader reader = ReaderOf("value: " + text + "\n");
-    int value = -1;
+    Number value = -1;
     reader.Read("value", &value);
     EXPECT_EQ(value, expected) << text;
     EXPECT_EQ(reader.Faults(), "") << text;
   }
 }
 
+TEST(ParameterReader, TakesWholeNumbersByYaml11) {
+  const std::map<std::string, int> values{{"010", 8},   {"0b101", 5}, {"0x1F", 31},     {"1_000", 1000},    {"+12", 12},
+                                          {"1:30", 90}, {"-0", 0},    {"!!int 12", 12}, {"-2:00:01", -7201}};
+  ExpectRead(values);
+}
+
 TEST(ParameterReader, TakesNumbersByYaml11) {
   const std::map<std::string, double> values{{"1.0e-2", 0.01},     {"3.", 3.0},         {".5", 0.5},  {"-1_0.5", -10.5},
                                              {"1:30.5", 90.5},     {"2.5E+2", 250.0},   {"010", 8.0}, {"010.0", 10.0},
                                              {"-0:00:30.", -30.0}, {"-.inf", -INFINITY}};
-  for (const auto& [text, expected] : values) {
-    ParameterReader reader = ReaderOf("value: " + text + "\n");
-    double value = -1.0;
-    reader.Read("value", &value);
-    EXPECT_EQ(value, expected) << text;
-    EXPECT_EQ(reader.Faults(), "") << text;
-  }
+  ExpectRead(values);
 }
 
 TEST(ParameterReader, TakesEachSpellingOfTrueAndFalse) {
