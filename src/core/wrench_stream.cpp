@@ -15,7 +15,6 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
     return false;
   }
   const SampleTime sample = clock_.Resolve(stamp, arrival);
-  monitor_.SetStamps(clock_.zero_stamps(), clock_.wrong_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
   if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
     monitor_.AddOutOfOrder();
     return false;
@@ -45,6 +44,21 @@ void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::strin
   segmenter_.AddEdge(
       stamp == 0 ? EpisodeEdge{open, now, EdgeSource::kPlain, id} : EpisodeEdge{open, stamp, EdgeSource::kStamped, id},
       now);
+}
+
+StreamSummary WrenchStream::Summary() const {
+  StreamMonitor monitor = monitor_;
+  SetStamps(&monitor);
+  return monitor.Summary();
+}
+
+StreamSummary WrenchStream::TakeLap() {
+  SetStamps(&monitor_);
+  return monitor_.TakeLap();
+}
+
+void WrenchStream::SetStamps(StreamMonitor* monitor) const {
+  monitor->SetStamps(clock_.zero_stamps(), clock_.wrong_stamps(), 1e-9 * static_cast<double>(clock_.offset()));
 }
 
 }  // namespace contact_shapelets::core

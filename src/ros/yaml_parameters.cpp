@@ -15,13 +15,28 @@ namespace contact_shapelets {
 namespace {
 
 /// The rules of YAML 1.1, by which rosparam knows kinds of values; yaml-cpp goes by YAML 1.2.
-const std::regex kBool("yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF");
-const std::regex kTrue("[yYtT].*|on|On|ON");
-const std::regex kInt(
-    "[-+]?(0b_*[01][01_]*|0[0-7_]+|0|[1-9][0-9_]*|0x_*[0-9a-fA-F][0-9a-fA-F_]*|[1-9][0-9_]*(:[0-5]?[0-9])+)");
-const std::regex kFloat(
-    "[-+]?[0-9][0-9_]*\\.[0-9_]*([eE][-+][0-9]+)?|\\.[0-9][0-9_]*([eE][-+][0-9]+)?|"
-    "[-+]?[0-9][0-9_]*(:[0-5]?[0-9])+\\.[0-9_]*|[-+]?\\.(inf|Inf|INF)|\\.(nan|NaN|NAN)");
+bool IsBool(const std::string& text) {
+  static const std::regex rule("yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF");
+  return std::regex_match(text, rule);
+}
+
+bool IsTrue(const std::string& text) {
+  static const std::regex rule("[yYtT].*|on|On|ON");
+  return std::regex_match(text, rule);
+}
+
+bool IsWhole(const std::string& text) {
+  static const std::regex rule(
+      "[-+]?(0b_*[01][01_]*|0[0-7_]+|0|[1-9][0-9_]*|0x_*[0-9a-fA-F][0-9a-fA-F_]*|[1-9][0-9_]*(:[0-5]?[0-9])+)");
+  return std::regex_match(text, rule);
+}
+
+bool IsFloat(const std::string& text) {
+  static const std::regex rule(
+      "[-+]?[0-9][0-9_]*\\.[0-9_]*([eE][-+][0-9]+)?|\\.[0-9][0-9_]*([eE][-+][0-9]+)?|"
+      "[-+]?[0-9][0-9_]*(:[0-5]?[0-9])+\\.[0-9_]*|[-+]?\\.(inf|Inf|INF)|\\.(nan|NaN|NAN)");
+  return std::regex_match(text, rule);
+}
 
 /// The magnitude of a number without sign and underscores; digits after colons count 60 times less.
 double Magnitude(const std::string& digits) {
@@ -54,9 +69,9 @@ XmlRpc::XmlRpcValue ScalarOf(const YAML::Node& node) {
   if (!node.IsScalar()) return {};
   const std::string& text = node.Scalar();
   if (!IsPlain(node.Tag()) || text.size() > kLongestNumber) return {text};
-  if (std::regex_match(text, kBool)) return {std::regex_match(text, kTrue)};
-  const bool whole = std::regex_match(text, kInt);
-  if (!whole && !std::regex_match(text, kFloat)) return {text};
+  if (IsBool(text)) return {IsTrue(text)};
+  const bool whole = IsWhole(text);
+  if (!whole && !IsFloat(text)) return {text};
   const double sign = text.front() == '-' ? -1.0 : 1.0;
   std::string digits = text.substr(text.find_first_not_of("+-"));
   digits.erase(std::remove(digits.begin(), digits.end(), '_'), digits.end());

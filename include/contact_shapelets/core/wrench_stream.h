@@ -36,11 +36,13 @@ class WrenchStream {
   /// The segmenter, which holds the results.
   const EpisodeSegmenter& segmenter() const { return segmenter_; }
   /// The health of the whole stream.
-  StreamSummary Summary() const { return monitor_.Summary(); }
+  StreamSummary Summary() const;
   /// The health of the stream since the last call, or since the start.
-  StreamSummary TakeLap() { return monitor_.TakeLap(); }
+  StreamSummary TakeLap();
 
  private:
+  void SetStamps(StreamMonitor* monitor) const;
+
   SampleClock clock_;
   StreamMonitor monitor_;
   EpisodeSegmenter segmenter_;
