@@ -30,11 +30,11 @@ double Distance(const Match& match) { return match.window < 0 ? 1.0 : 1.0 - stat
 
 }  // namespace
 
-BankLearner::BankLearner(const std::vector<Eigen::VectorXf>& series, int typical_length,
+BankLearner::BankLearner(const std::vector<Eigen::VectorXf>& series, const SeriesDistances& distances,
                          const Eigen::Ref<const Eigen::MatrixXf>& start, const LearnerOptions& options,
                          std::uint64_t seed, int threads)
     : series_(series),
-      typical_length_(typical_length),
+      distances_(distances),
       options_(options),
       threads_(threads),
       random_(seed),
@@ -94,11 +94,7 @@ void BankLearner::FindMatches(const std::vector<int>& chosen) {
 }
 
 Eigen::MatrixXd BankLearner::BatchWeights(const std::vector<int>& chosen) const {
-  Eigen::MatrixXf stretched(chosen.size(), typical_length_);
-  for (std::size_t row = 0; row < chosen.size(); ++row) {
-    stretched.row(static_cast<Eigen::Index>(row)) = StretchedTo(series_[chosen[row]], typical_length_).transpose();
-  }
-  const Eigen::MatrixXd similarity = GaussianSimilarity(stretched);
+  const Eigen::MatrixXd similarity = GaussianSimilarity(distances_.Among(chosen));
   return options_.objective == Objective::kPaper ? PaperWeights(similarity)
                                                  : ContrastiveWeights(similarity, options_.repulsion);
 }

@@ -9,6 +9,7 @@
 #include "contact_shapelets/core/ncc.h"
 #include "contact_shapelets/core/random.h"
 #include "core/ncc_low_blocks.h"
+#include "core/series_distances.h"
 
 namespace contact_shapelets::core {
 
@@ -19,9 +20,9 @@ namespace contact_shapelets::core {
 /// series.
 class BankLearner {
  public:
-  /// `series` are z-normalised and outlive the learner; `start` is [K, M]; `typical_length` is what series are
-  /// stretched to for their similarity G.
-  BankLearner(const std::vector<Eigen::VectorXf>& series, int typical_length,
+  /// `series` are z-normalised, `distances` are theirs, for their similarity G; both outlive the learner. `start` is
+  /// [K, M].
+  BankLearner(const std::vector<Eigen::VectorXf>& series, const SeriesDistances& distances,
               const Eigen::Ref<const Eigen::MatrixXf>& start, const LearnerOptions& options, std::uint64_t seed,
               int threads);
 
@@ -47,7 +48,7 @@ class BankLearner {
   void AdamStep(const Eigen::Ref<const Eigen::MatrixXd>& gradient);
 
   const std::vector<Eigen::VectorXf>& series_;
-  int typical_length_;
+  const SeriesDistances& distances_;
   LearnerOptions options_;
   int threads_;
   Random random_;

@@ -75,6 +75,7 @@ std::vector<ShapeletBank> LearnBanks(const std::vector<Eigen::VectorXf>& series,
   const std::vector<Eigen::VectorXf> normalised = AllZNormalised(series);
   const int typical_length = MedianLength(normalised);
 
+  const SeriesDistances distances(normalised, typical_length);
   std::vector<ShapeletBank> banks;
   for (int index = 0; index < static_cast<int>(options.scales.size()); ++index) {
     const double scale = options.scales[index];
@@ -84,7 +85,7 @@ std::vector<ShapeletBank> LearnBanks(const std::vector<Eigen::VectorXf>& series,
         normalised, length, ShapeletCount(static_cast<int>(series.size()), typical_length, length, clusters),
         options.flat_fraction, options.start_windows, StreamSeed(bank_seed, 0));
     if (start.rows() == 0) continue;
-    BankLearner learner(normalised, typical_length, start, options, StreamSeed(bank_seed, 1), threads);
+    BankLearner learner(normalised, distances, start, options, StreamSeed(bank_seed, 1), threads);
     bool stopped = false;
     for (int step = 0; step < options.steps && !stopped; ++step) {
       const double objective = learner.Step();

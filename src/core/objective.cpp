@@ -21,7 +21,7 @@ Eigen::MatrixXd DistanceGradient(const Eigen::Ref<const Eigen::MatrixXd>& distan
   return (-centred * membership.array() / (1.0 + distances.array())).matrix();
 }
 
-Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXf>& series) {
+Eigen::MatrixXd SquaredDistances(const Eigen::Ref<const Eigen::MatrixXf>& series) {
   const Eigen::MatrixXd values = series.cast<double>();
   const Eigen::VectorXd energy = values.rowwise().squaredNorm();
   Eigen::MatrixXd squared = Eigen::MatrixXd::Zero(values.rows(), values.rows());
@@ -29,18 +29,21 @@ Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXf>& seri
   squared.triangularView<Eigen::StrictlyUpper>() = squared.transpose();
   squared.colwise() += energy;
   squared.rowwise() += energy.transpose();
-  squared = squared.cwiseMax(0.0);
+  return squared.cwiseMax(0.0);
+}
 
+Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXd>& squared_distances) {
   std::vector<double> different;
-  different.reserve(static_cast<std::size_t>(squared.rows()) * static_cast<std::size_t>(squared.rows()) / 2);
-  for (Eigen::Index column = 1; column < squared.cols(); ++column) {
-    for (Eigen::Index row = 0; row < column; ++row) different.push_back(squared(row, column));
+  different.reserve(static_cast<std::size_t>(squared_distances.rows()) *
+                    static_cast<std::size_t>(squared_distances.rows()) / 2);
+  for (Eigen::Index column = 1; column < squared_distances.cols(); ++column) {
+    for (Eigen::Index row = 0; row < column; ++row) different.push_back(squared_distances(row, column));
   }
-  if (different.empty()) return Eigen::MatrixXd::Ones(squared.rows(), squared.cols());
+  if (different.empty()) return Eigen::MatrixXd::Ones(squared_distances.rows(), squared_distances.cols());
   const auto middle = different.begin() + static_cast<std::ptrdiff_t>(different.size() / 2);
   std::nth_element(different.begin(), middle, different.end());
   const double variance = std::max(*middle, 1e-12);
-  Eigen::MatrixXd similarity = (-squared.array() / variance).exp().matrix();
+  Eigen::MatrixXd similarity = (-squared_distances.array() / variance).exp().matrix();
   similarity.diagonal().setOnes();
   return similarity;
 }

@@ -38,7 +38,8 @@ TEST(BankLearner, GradientOfTheWholeObjectiveMatchesFiniteDifferences) {
   const Eigen::MatrixXf start = SmoothShapelets(3, 16, 12);
   LearnerOptions options;
   options.diversity = 1.0;
-  BankLearner learner(series, 120, start, options, 13, 1);
+  const SeriesDistances distances(series, 120);
+  BankLearner learner(series, distances, start, options, 13, 1);
   std::vector<int> all(series.size());
   std::iota(all.begin(), all.end(), 0);
   Eigen::MatrixXd analytic;
@@ -67,7 +68,8 @@ TEST(BankLearner, StepsLowerTheObjective) {
   const std::vector<Eigen::VectorXf> series = PlantedSeriesList(10, 21);
   LearnerOptions options;
   options.batch = 1000;
-  BankLearner learner(series, 120, SmoothShapelets(6, 24, 22), options, 23, 1);
+  const SeriesDistances distances(series, 120);
+  BankLearner learner(series, distances, SmoothShapelets(6, 24, 22), options, 23, 1);
   const double first = learner.Step();
   double last = first;
   for (int step = 0; step < 40; ++step) last = learner.Step();

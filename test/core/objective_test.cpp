@@ -54,7 +54,7 @@ TEST(SpectralTerm, EqualsHalfTheWeightedSumOfSquaredDifferences) {
 
 TEST(SpectralTerm, GradientThroughTheMembershipMatchesFiniteDifferences) {
   const Eigen::MatrixXd distances = RandomMatrix(7, 5, 3);
-  const Eigen::MatrixXd similarity = GaussianSimilarity(RandomMatrix(7, 9, 4).cast<float>());
+  const Eigen::MatrixXd similarity = GaussianSimilarity(SquaredDistances(RandomMatrix(7, 9, 4).cast<float>()));
   const Eigen::MatrixXd weights = ContrastiveWeights(similarity, 3.0);
   const auto loss = [&weights](const Eigen::MatrixXd& f) { return SpectralTerm(MembershipMatrix(f), weights).value; };
   const Eigen::MatrixXd membership = MembershipMatrix(distances);
@@ -76,20 +76,21 @@ TEST(DiversityTerm, CountsEqualShapeletsAsOneEach) {
 TEST(GaussianSimilarity, HasTheMedianSquaredDistanceAsItsVariance) {
   Eigen::MatrixXf series(3, 1);
   series << 0.0F, 1.0F, 3.0F;  // squared distances 1, 4, 9
-  const Eigen::MatrixXd similarity = GaussianSimilarity(series);
+  const Eigen::MatrixXd similarity = GaussianSimilarity(SquaredDistances(series));
   EXPECT_NEAR(similarity(0, 1), std::exp(-1.0 / 4.0), 1e-12);
   EXPECT_NEAR(similarity(1, 2), std::exp(-1.0), 1e-12);
   EXPECT_NEAR(similarity(0, 0), 1.0, 1e-12);
 }
 
 TEST(ContrastiveWeights, SumToOneMinusTheRepulsion) {
-  const Eigen::MatrixXd similarity = GaussianSimilarity(RandomMatrix(8, 5, 6).cast<float>());
+  const Eigen::MatrixXd similarity = GaussianSimilarity(SquaredDistances(RandomMatrix(8, 5, 6).cast<float>()));
   EXPECT_NEAR(ContrastiveWeights(similarity, 3.0).sum(), 1.0 - 3.0, 1e-10);
   EXPECT_NEAR(ContrastiveWeights(similarity, 3.0).diagonal().cwiseAbs().sum(), 0.0, 1e-12);
 }
 
 TEST(PaperObjective, IsLeastWhereAllMembershipsAreEqual) {
-  const Eigen::MatrixXd weights = PaperWeights(GaussianSimilarity(RandomMatrix(6, 5, 7).cast<float>()));
+  const Eigen::MatrixXd weights =
+      PaperWeights(GaussianSimilarity(SquaredDistances(RandomMatrix(6, 5, 7).cast<float>())));
   EXPECT_NEAR(SpectralTerm(Eigen::MatrixXd::Constant(6, 4, 0.25), weights).value, 0.0, 1e-12);
   EXPECT_GT(SpectralTerm(MembershipMatrix(RandomMatrix(6, 4, 8)), weights).value, 0.0);
 }

@@ -17,9 +17,12 @@ Eigen::MatrixXd DistanceGradient(const Eigen::Ref<const Eigen::MatrixXd>& distan
                                  const Eigen::Ref<const Eigen::MatrixXd>& membership,
                                  const Eigen::Ref<const Eigen::MatrixXd>& membership_gradient);
 
+/// |t_i - t_j|^2 of `series` [N, Q], one per row, in double precision; returns [N, N], symmetric, at least 0.
+Eigen::MatrixXd SquaredDistances(const Eigen::Ref<const Eigen::MatrixXf>& series);
+
 /// Similarity of series: G_ij = exp(-|t_i - t_j|^2 / sigma^2), sigma^2 the median squared distance of different series.
-/// `series` is [N, Q], one per row; returns [N, N], symmetric, with a diagonal of 1.
-Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXf>& series);
+/// `squared_distances` is [N, N], from SquaredDistances(); returns [N, N], symmetric, with a diagonal of 1.
+Eigen::MatrixXd GaussianSimilarity(const Eigen::Ref<const Eigen::MatrixXd>& squared_distances);
 
 /// Attraction of the paper: W = G with a diagonal of zero.
 Eigen::MatrixXd PaperWeights(const Eigen::Ref<const Eigen::MatrixXd>& similarity);
