@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "contact_shapelets/core/random.h"
-#include "contact_shapelets/core/series.h"
 #include "contact_shapelets/ros/episode_bag_reader.h"
+#include "core/numerics/random.h"
+#include "core/numerics/series.h"
 
 namespace contact_shapelets {
 

@@ -2,9 +2,10 @@
 #include <cmath>
 
 #include "benchmark_data.h"
-#include "contact_shapelets/core/ncc.h"
-#include "contact_shapelets/core/random.h"
-#include "contact_shapelets/core/series.h"
+#include "core/matching/ncc_fftw.h"
+#include "core/matching/ncc_kernel.h"
+#include "core/numerics/random.h"
+#include "core/numerics/series.h"
 #include "multiply_add_peak.h"
 
 namespace contact_shapelets {

@@ -6,9 +6,10 @@
 
 #include "benchmark_data.h"
 #include "contact_shapelets/core/feature_extractor.h"
-#include "contact_shapelets/core/ncc.h"
-#include "contact_shapelets/core/series.h"
 #include "contact_shapelets/core/trainer.h"
+#include "core/matching/ncc_fftw.h"
+#include "core/matching/ncc_kernel.h"
+#include "core/numerics/series.h"
 
 namespace contact_shapelets {
 namespace {

@@ -11,6 +11,11 @@ set +u
 . "$setup"
 set -u
 programs=$(dirname "$setup")/lib/contact_shapelets
+workspace=$(dirname "$(dirname "$setup")")
+if ! cmake --build "$workspace/build" --target live_load >"$workspace/soak_build.log" 2>&1; then
+  echo "live_load was not built: see $workspace/soak_build.log" >&2
+  exit 1
+fi
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1
 unset ROS_HOSTNAME

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact_shapelets/core/random.h"
+#include "core/numerics/random.h"
 
 /// \file
 /// What is different from one push of the switch to the next.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "contact_shapelets/core/random.h"
+#include "core/numerics/random.h"
 #include "simulated_cell.h"
 
 /// \file

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "contact_shapelets/ros/topics.h"
+#include "ros/messages/topics.h"
 #include "wrench_message.h"
 
 namespace contact_shapelets::simulation {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "contact_shapelets/core/random.h"
-#include "contact_shapelets/ros/parameters.h"
+#include "core/numerics/random.h"
+#include "ros/parameters/parameters.h"
 #include "simulated_cell.h"
 
 namespace contact_shapelets::simulation {

@@ -11,11 +11,11 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "contact_shapelets/core/parallel.h"
 #include "contact_shapelets/core/wrench_stream.h"
-#include "contact_shapelets/ros/conversions.h"
-#include "contact_shapelets/ros/topics.h"
+#include "core/numerics/parallel.h"
 #include "push_recording.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/topics.h"
 #include "wrench_message.h"
 
 namespace contact_shapelets::simulation {
@@ -52,8 +52,6 @@ struct Arguments {
   }
 };
 
-core::Nanoseconds FromSeconds(double seconds) { return static_cast<core::Nanoseconds>(std::llround(seconds * 1e9)); }
-
 /// Random numbers of a push of its own, so that it does not depend on those before it.
 core::Random RandomOf(const Arguments& arguments, Set set, int index) {
   return core::Random(arguments.seed * 1'000'000'007ULL + static_cast<std::uint64_t>(set) * 1'000'003ULL +
@@ -69,17 +67,17 @@ Outcome OutcomeOf(Set set, int index) {
 core::Episode MakeEpisode(const Arguments& arguments, Set set, int index) {
   core::Random random = RandomOf(arguments, set, index);
   const PushRecording recording = RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random);
-  const core::Nanoseconds start = kEpoch + FromSeconds(10.0 * index);
+  const core::Nanoseconds start = kEpoch + core::FromSeconds(10.0 * index);
   core::WrenchStream stream(core::SegmentationOptions{});
-  stream.segmenter().set_frame_id(kWrenchFrame);
+  stream.set_frame_id(kWrenchFrame);
   stream.AddStampedEdge(true, start, "", start);
   for (const CellState& state : recording.states) {
-    const core::Nanoseconds time = start + FromSeconds(state.time);
+    const core::Nanoseconds time = start + core::FromSeconds(state.time);
     stream.AddWrench(time, time, ToVector(WrenchMessage(state, ToTime(time)).wrench.force));
   }
-  stream.AddStampedEdge(false, start + FromSeconds(arguments.Duration()), "",
-                        start + FromSeconds(arguments.Duration() + kEdgeMargin));
-  std::vector<core::Episode> episodes = stream.segmenter().TakeEpisodes();
+  stream.AddStampedEdge(false, start + core::FromSeconds(arguments.Duration()), "",
+                        start + core::FromSeconds(arguments.Duration() + kEdgeMargin));
+  std::vector<core::Episode> episodes = stream.TakeEpisodes();
   if (episodes.size() != 1) throw std::logic_error("a push gave " + std::to_string(episodes.size()) + " episodes");
   episodes.front().outcome = NameOf(recording.outcome);
   return episodes.front();
@@ -92,7 +90,7 @@ void WriteEpisodes(const Arguments& arguments, Set set, int count, const std::st
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   bag.setCompression(rosbag::compression::BZ2);
   for (int index = 0; index < count; ++index) {
-    const core::Nanoseconds end = kEpoch + FromSeconds(10.0 * index + arguments.Duration());
+    const core::Nanoseconds end = kEpoch + core::FromSeconds(10.0 * index + arguments.Duration());
     bag.write("/" + std::string(topics::kEpisode), ToTime(end), ToMessage(episodes[static_cast<std::size_t>(index)]));
   }
   std::cerr << path << ": " << count << " episodes\n";
@@ -134,9 +132,9 @@ class RawWriter {
   void Run(SimulatedCell* cell, double duration) {
     const auto cycles = std::lround(duration / SimulatedCell::kPeriod);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
-      now_ += FromSeconds(SimulatedCell::kPeriod);
+      now_ += core::FromSeconds(SimulatedCell::kPeriod);
       const CellState& state = cell->Step();
-      if (1e-9 * static_cast<double>(now_ - kEpoch) * arguments_.raw_rate < static_cast<double>(written_)) continue;
+      if (core::ToSeconds(now_ - kEpoch) * arguments_.raw_rate < static_cast<double>(written_)) continue;
       bag_.write("/" + std::string(topics::kWrench), ToTime(now_), WrenchMessage(state, ToTime(now_)));
       ++written_;
     }

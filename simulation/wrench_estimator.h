@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cell_model.h"
-#include "contact_shapelets/core/random.h"
+#include "core/numerics/random.h"
 
 /// \file
 /// The robot's own estimate of the external wrench at its flange, from joint torques.

@@ -14,12 +14,12 @@
 
 #include "cli/text.h"
 #include "contact_shapelets/core/wrench_stream.h"
-#include "contact_shapelets/ros/action_edges.h"
-#include "contact_shapelets/ros/bag_topics.h"
-#include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
-#include "contact_shapelets/ros/topics.h"
-#include "ros/bag_damage.h"
+#include "ros/bags/bag_damage.h"
+#include "ros/bags/bag_topics.h"
+#include "ros/messages/action_edges.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/topics.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -55,7 +55,7 @@ class WrenchFollower {
     topic.name = name;
     topic.frames.assign(frames_.begin(), frames_.end());
     topic.messages = messages_;
-    topic.received_duration = 1e-9 * static_cast<double>(last_arrival_ - first_arrival_);
+    topic.received_duration = core::ToSeconds(last_arrival_ - first_arrival_);
     topic.stream = stream_.Summary();
     return topic;
   }
@@ -138,7 +138,8 @@ class Reading {
     }
     inspection_->others.push_back(topic);
     if (connection.msg_def.find("geometry_msgs/Wrench") != std::string::npos) {
-      inspection_->problems.push_back({topic.name + " holds a wrench, but within " + topic.type,
+      inspection_->findings.push_back({core::Severity::kWarning,
+                                       topic.name + " holds a wrench, but within " + topic.type,
                                        std::string("record the driver's ") + kWrenchType +
                                            " topic, or republish it as one by wrench_adapter_node"});
     }
@@ -193,50 +194,57 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
   }
 }
 
-void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<Problem>* problems) {
+void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<core::Finding>* findings) {
   const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),
                                         [](const core::Episode& episode) { return !episode.complete; });
   if (incomplete > 0) {
-    problems->push_back(
-        {where + Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete (" + found.way + ")",
+    findings->push_back(
+        {core::Severity::kWarning,
+         where + Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete (" + found.way + ")",
          "samples are missing within, or the recording ended first: leave the bag open longer"});
   }
   if (found.dropped > 0) {
-    problems->push_back(
-        {where + Count(static_cast<std::size_t>(found.dropped), "episode") + " dropped (" + found.way + ")",
+    findings->push_back(
+        {core::Severity::kWarning,
+         where + Count(static_cast<std::size_t>(found.dropped), "episode") + " dropped (" + found.way + ")",
          "shorter than min_duration or without a sample: check that trigger and wrench overlap"});
   }
 }
 
-void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& options, std::vector<Problem>* problems) {
+void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& options,
+                   std::vector<core::Finding>* findings) {
   for (const WrenchTopic& wrench : inspection.wrenches) {
-    for (const core::StreamFault& fault : core::Faults(wrench.stream)) {
-      problems->push_back({wrench.name + ": " + fault.text, fault.remedy});
+    for (const core::Finding& finding : core::FindingsOf(wrench.stream)) {
+      findings->push_back({finding.severity, wrench.name + ": " + finding.text, finding.remedy});
     }
     if (wrench.stream.rate > 0.0 && wrench.stream.rate * options.segmentation.sample_period < 0.3) {
-      problems->push_back({wrench.name + ": " + Number(wrench.stream.rate, 1) + " Hz is slow for a sample_period of " +
+      findings->push_back({core::Severity::kWarning,
+                           wrench.name + ": " + Number(wrench.stream.rate, 1) + " Hz is slow for a sample_period of " +
                                Number(options.segmentation.sample_period, 3) + " s",
                            "raise the driver's rate to 30 Hz or more, or sample_period"});
     }
     for (const EpisodesFound& found : wrench.found) {
-      if (found.way != "contact") JudgeEpisodes(wrench.name + ": ", found, problems);
+      if (found.way != "contact") JudgeEpisodes(wrench.name + ": ", found, findings);
     }
   }
   if (inspection.wrenches.size() > 1) {
-    problems->push_back({"several topics of type " + std::string(kWrenchType), "choose one by --wrench-topic"});
+    findings->push_back({core::Severity::kWarning, "several topics of type " + std::string(kWrenchType),
+                         "choose one by --wrench-topic"});
   }
 }
 
 void Judge(const BagReaderOptions& options, BagInspection* inspection) {
-  std::vector<Problem>& problems = inspection->problems;
-  if (inspection->messages == 0) problems.push_back({"the bag holds no message", "record again"});
+  std::vector<core::Finding>& findings = inspection->findings;
+  if (inspection->messages == 0)
+    findings.push_back({core::Severity::kWarning, "the bag holds no message", "record again"});
   const bool model_file = HasMarker(*inspection, kModelType, nullptr) && inspection->wrenches.empty();
   if (model_file || inspection->messages == 0) return;
-  JudgeWrenches(*inspection, options, &problems);
-  for (const EpisodesFound& found : inspection->recorded) JudgeEpisodes("", found, &problems);
+  JudgeWrenches(*inspection, options, &findings);
+  for (const EpisodesFound& found : inspection->recorded) JudgeEpisodes("", found, &findings);
   if (!inspection->recorded.empty()) return;
   if (inspection->wrenches.empty()) {
-    problems.push_back({"no topic of type " + std::string(kWrenchType) + " or " + kEpisodeType,
+    findings.push_back({core::Severity::kWarning,
+                        "no topic of type " + std::string(kWrenchType) + " or " + kEpisodeType,
                         "record the driver's wrench topic (rostopic list -v names the types)"});
     return;
   }
@@ -244,12 +252,12 @@ void Judge(const BagReaderOptions& options, BagInspection* inspection) {
   const auto has_episodes = [](const EpisodesFound& way) { return way.way != "contact" && !way.episodes.empty(); };
   if (std::none_of(found.begin(), found.end(), has_episodes)) {
     const bool contact = std::any_of(found.begin(), found.end(), [](const auto& way) { return !way.episodes.empty(); });
-    problems.push_back(
-        {"no episode markers", contact ? "record episode_active beside the wrench, or use --segmentation contact"
-                                       : "record episode_active (std_msgs/Bool) beside the wrench"});
+    findings.push_back({core::Severity::kWarning, "no episode markers",
+                        contact ? "record episode_active beside the wrench, or use --segmentation contact"
+                                : "record episode_active (std_msgs/Bool) beside the wrench"});
   } else if (!HasMarker(*inspection, "std_msgs/String", topics::kOutcome)) {
-    problems.push_back(
-        {"no outcome topic", "not needed to train; without it, clusters are named by hand and not scored"});
+    findings.push_back({core::Severity::kWarning, "no outcome topic",
+                        "not needed to train; without it, clusters are named by hand and not scored"});
   }
 }
 
@@ -260,7 +268,8 @@ void ReadModel(const std::string& path, BagInspection* inspection) {
   try {
     inspection->model = LoadModel(path);
   } catch (const std::exception& error) {
-    inspection->problems.push_back({error.what(), "train again with this version of the package"});
+    inspection->findings.push_back(
+        {core::Severity::kWarning, error.what(), "train again with this version of the package"});
   }
 }
 

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "contact_shapelets/core/finding.h"
 #include "contact_shapelets/core/model.h"
-#include "contact_shapelets/core/stream_monitor.h"
+#include "contact_shapelets/core/stream_summary.h"
 #include "contact_shapelets/ros/episode_bag_reader.h"
 
 /// \file
@@ -39,12 +40,6 @@ struct OtherTopic {
   std::string contents;  ///< what its messages say, for topics that mark episodes
 };
 
-/// Something that is wrong with a bag.
-struct Problem {
-  std::string text;
-  std::string remedy;
-};
-
 /// What is in one bag.
 struct BagInspection {
   core::Nanoseconds begin = 0;
@@ -56,7 +51,7 @@ struct BagInspection {
   std::vector<OtherTopic> markers;      ///< topics that mark, name or hold episodes
   std::vector<OtherTopic> others;
   std::optional<core::Model> model;
-  std::vector<Problem> problems;
+  std::vector<core::Finding> findings;
 };
 
 /// Reads a bag wholly. `options.wrench_topic` leaves out the other wrench topics; empty: all.

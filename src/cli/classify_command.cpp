@@ -14,11 +14,11 @@
 #include "cli/common.h"
 #include "cli/episode_table.h"
 #include "cli/text.h"
-#include "contact_shapelets/ros/conversions.h"
 #include "contact_shapelets/ros/model_bag.h"
-#include "contact_shapelets/ros/output_file.h"
-#include "contact_shapelets/ros/topics.h"
-#include "ros/bag_damage.h"
+#include "ros/bags/bag_damage.h"
+#include "ros/bags/output_file.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/topics.h"
 
 namespace contact_shapelets::cli {
 namespace {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "cli/text.h"
-#include "contact_shapelets/core/partition_metrics.h"
-#include "contact_shapelets/ros/parameters.h"
+#include "evaluation/partition_metrics.h"
+#include "ros/parameters/parameters.h"
 
 namespace contact_shapelets::cli {
 
@@ -70,20 +70,22 @@ std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const 
       line.Show((static_cast<double>(index) + done) / static_cast<double>(bags.size()));
     };
     BagContents contents = ReadEpisodes(bags[index], options, show);
-    std::vector<std::string> remarks;
-    if (contents.stream.samples > 0) remarks = core::Findings(contents.stream);
+    std::vector<std::string> findings;
+    if (contents.stream.samples > 0) {
+      for (const core::Finding& finding : core::FindingsOf(contents.stream)) findings.push_back(finding.text);
+    }
     if (contents.dropped_episodes > 0) {
-      remarks.push_back(Count(static_cast<std::size_t>(contents.dropped_episodes), "episode") +
-                        " dropped: too short or without a sample");
+      findings.push_back(Count(static_cast<std::size_t>(contents.dropped_episodes), "episode") +
+                         " dropped: too short or without a sample");
     }
     const auto incomplete = std::count_if(contents.episodes.begin(), contents.episodes.end(),
                                           [](const core::Episode& episode) { return !episode.complete; });
     if (incomplete > 0) {
-      remarks.push_back(Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete: samples are missing");
+      findings.push_back(Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete: samples are missing");
     }
-    if (!remarks.empty()) {
+    if (!findings.empty()) {
       line.Clear();
-      std::cout << bags[index] << ": " << Joined(remarks, "; ") << '\n';
+      std::cout << bags[index] << ": " << Joined(findings, "; ") << '\n';
     }
     std::move(contents.episodes.begin(), contents.episodes.end(), std::back_inserter(episodes));
   }
@@ -119,7 +121,7 @@ void ProgressLine::Show(double done) {
 }
 
 void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels) {
-  const auto result = core::CompareWithOutcomes(labels, episodes);
+  const auto result = evaluation::CompareWithOutcomes(labels, episodes);
   if (!result) return;
   std::printf("Against the outcomes given for %zu episodes: Rand index %.4f, ARI %.4f, NMI %.4f, accuracy %.4f\n",
               result->episodes, result->scores.rand_index, result->scores.adjusted_rand_index,

@@ -4,7 +4,7 @@
 #include <iomanip>
 #include <stdexcept>
 
-#include "contact_shapelets/core/parallel.h"
+#include "core/numerics/parallel.h"
 
 namespace contact_shapelets::cli {
 namespace {

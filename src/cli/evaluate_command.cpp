@@ -14,10 +14,11 @@
 #include "cli/common.h"
 #include "cli/evaluation_report.h"
 #include "cli/text.h"
-#include "contact_shapelets/core/evaluation.h"
-#include "contact_shapelets/core/parallel.h"
-#include "contact_shapelets/core/ucr_reader.h"
-#include "contact_shapelets/ros/output_file.h"
+#include "core/numerics/parallel.h"
+#include "evaluation/methods.h"
+#include "evaluation/protocol.h"
+#include "evaluation/ucr_reader.h"
+#include "ros/bags/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -25,7 +26,7 @@ namespace {
 struct Arguments {
   std::string data;
   std::vector<std::string> data_sets{"all"};
-  std::vector<std::string> methods = core::ClustererNames();
+  std::vector<std::string> methods = evaluation::ClustererNames();
   BagArguments bags;
   std::vector<std::string> test_bags;
   std::string bags_name;
@@ -50,9 +51,9 @@ class Faults {
 };
 
 /// The episodes that have an outcome; `numbers` numbers the outcomes.
-core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
-                                      std::map<std::string, int>* numbers) {
-  core::LabelledSeries labelled;
+evaluation::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
+                                            std::map<std::string, int>* numbers) {
+  evaluation::LabelledSeries labelled;
   std::vector<int> classes;
   for (const core::Episode& episode : ReadAllEpisodes(paths, options)) {
     if (episode.outcome.empty()) continue;
@@ -66,16 +67,16 @@ core::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, con
   return labelled;
 }
 
-core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions& options) {
+evaluation::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions& options) {
   std::map<std::string, int> numbers;
   const std::vector<std::string>& paths = arguments.bags.bags;
   const std::string name =
       arguments.bags_name.empty() ? std::filesystem::path(paths.front()).stem().string() : arguments.bags_name;
-  core::DataSet data_set;
+  evaluation::DataSet data_set;
   data_set.name = name;
   data_set.train = ReadLabelledBags(paths, options, &numbers);
   if (arguments.test_bags.empty()) {
-    data_set = core::SplitByClass(name, data_set.train, static_cast<int>(numbers.size()), 0.5, 0);
+    data_set = evaluation::SplitByClass(name, data_set.train, static_cast<int>(numbers.size()), 0.5, 0);
   } else {
     data_set.test = ReadLabelledBags(arguments.test_bags, options, &numbers);
   }
@@ -90,9 +91,10 @@ core::DataSet ReadBagDataSet(const Arguments& arguments, const BagReaderOptions&
   return data_set;
 }
 
-std::vector<core::DataSet> ReadDataSets(const Arguments& arguments, const BagReaderOptions& options, Faults* faults) {
-  std::vector<core::DataSet> data_sets;
-  const auto attempt = [&](const std::function<core::DataSet()>& read) {
+std::vector<evaluation::DataSet> ReadDataSets(const Arguments& arguments, const BagReaderOptions& options,
+                                              Faults* faults) {
+  std::vector<evaluation::DataSet> data_sets;
+  const auto attempt = [&](const std::function<evaluation::DataSet()>& read) {
     try {
       data_sets.push_back(read());
     } catch (const std::exception& error) {
@@ -101,9 +103,9 @@ std::vector<core::DataSet> ReadDataSets(const Arguments& arguments, const BagRea
   };
   if (!arguments.data.empty()) {
     const bool all = arguments.data_sets == std::vector<std::string>{"all"};
-    for (const std::string& name : all ? core::UcrDataSetNames(arguments.data) : arguments.data_sets) {
+    for (const std::string& name : all ? evaluation::UcrDataSetNames(arguments.data) : arguments.data_sets) {
       std::vector<std::string> notes;
-      attempt([&] { return core::ReadUcrDataSet(arguments.data, name, &notes); });
+      attempt([&] { return evaluation::ReadUcrDataSet(arguments.data, name, &notes); });
       for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
     }
   }
@@ -113,17 +115,17 @@ std::vector<core::DataSet> ReadDataSets(const Arguments& arguments, const BagRea
 
 /// One data set, method and seed: the unit of parallel work.
 struct Task {
-  const core::DataSet* data_set;
+  const evaluation::DataSet* data_set;
   std::string method;
   std::uint64_t seed;
   double size;  ///< samples to look at, for the progress and so that long tasks start first
 };
 
-std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<core::DataSet>& data_sets) {
+std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<evaluation::DataSet>& data_sets) {
   std::vector<Task> tasks;
-  for (const core::DataSet& data_set : data_sets) {
+  for (const evaluation::DataSet& data_set : data_sets) {
     double size = 0.0;
-    for (const core::LabelledSeries* split : {&data_set.train, &data_set.test}) {
+    for (const evaluation::LabelledSeries* split : {&data_set.train, &data_set.test}) {
       for (const Eigen::VectorXf& series : split->series) size += static_cast<double>(series.size());
     }
     for (const std::string& method : arguments.methods) {
@@ -136,15 +138,15 @@ std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<core::
 }
 
 /// Results in the order of `tasks`, those that failed left out.
-std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer,
-                                             int jobs, Faults* faults) {
+std::vector<evaluation::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer,
+                                                   int jobs, Faults* faults) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return tasks[a].size > tasks[b].size; });
   const double total =
       std::accumulate(tasks.begin(), tasks.end(), 0.0, [](double sum, const Task& task) { return sum + task.size; });
-  std::vector<std::optional<core::EvaluationResult>> outcomes(tasks.size());
+  std::vector<std::optional<evaluation::EvaluationResult>> outcomes(tasks.size());
   ProgressLine line("evaluating");
   std::mutex line_mutex;
   double done = 0.0;
@@ -152,8 +154,8 @@ std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, con
     const std::size_t index = order[static_cast<std::size_t>(place)];
     const Task& task = tasks[index];
     try {
-      const std::unique_ptr<core::Clusterer> clusterer = core::MakeClusterer(task.method, trainer);
-      outcomes[index] = core::Evaluate(*task.data_set, task.method, task.seed, clusterer.get());
+      const std::unique_ptr<evaluation::Clusterer> clusterer = evaluation::MakeClusterer(task.method, trainer);
+      outcomes[index] = evaluation::Evaluate(*task.data_set, task.method, task.seed, clusterer.get());
     } catch (const std::exception& error) {
       faults->Add(task.data_set->name + ", " + task.method + ", seed " + std::to_string(task.seed) + ": " +
                   error.what());
@@ -162,8 +164,8 @@ std::vector<core::EvaluationResult> RunTasks(const std::vector<Task>& tasks, con
     done += task.size;
     line.Show(done / total);
   });
-  std::vector<core::EvaluationResult> results;
-  for (const std::optional<core::EvaluationResult>& outcome : outcomes) {
+  std::vector<evaluation::EvaluationResult> results;
+  for (const std::optional<evaluation::EvaluationResult>& outcome : outcomes) {
     if (outcome) results.push_back(*outcome);
   }
   return results;
@@ -174,7 +176,7 @@ std::vector<std::string> CheckedMethods(const std::vector<std::string>& names) {
   const core::TrainerOptions defaults;
   for (const std::string& name : names) {
     try {
-      core::MakeClusterer(name, defaults);
+      evaluation::MakeClusterer(name, defaults);
     } catch (const std::invalid_argument& error) {
       throw UsageError(std::string("--methods: ") + error.what());
     }
@@ -190,12 +192,12 @@ int RunEvaluation(const Arguments& arguments) {
   const Options options = ReadOptions(arguments.bags);
   if (!arguments.json.empty()) CheckOutput("--json", arguments.json, arguments.bags.bags);
   Faults faults;
-  const std::vector<core::DataSet> data_sets = ReadDataSets(arguments, options.reader, &faults);
+  const std::vector<evaluation::DataSet> data_sets = ReadDataSets(arguments, options.reader, &faults);
   const std::vector<Task> tasks = MakeTasks(arguments, data_sets);
-  const std::vector<core::EvaluationResult> results =
+  const std::vector<evaluation::EvaluationResult> results =
       RunTasks(tasks, options.trainer, core::ThreadCount(arguments.jobs), &faults);
   std::vector<std::string> names;
-  for (const core::DataSet& data_set : data_sets) names.push_back(data_set.name);
+  for (const evaluation::DataSet& data_set : data_sets) names.push_back(data_set.name);
   if (!names.empty()) WriteMarkdown(results, names, arguments.methods, &std::cout);
   if (!arguments.json.empty()) WriteJson(results, arguments.json);
   return faults.any() ? 1 : 0;

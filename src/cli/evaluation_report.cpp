@@ -13,7 +13,7 @@
 namespace contact_shapelets::cli {
 namespace {
 
-using Score = std::function<double(const core::EvaluationResult&)>;
+using Score = std::function<double(const evaluation::EvaluationResult&)>;
 
 /// A score over the seeds of one data set and method.
 struct Summary {
@@ -23,10 +23,10 @@ struct Summary {
   double best = 0.0;
 };
 
-Summary Summarise(const std::vector<core::EvaluationResult>& results, const std::string& data_set,
+Summary Summarise(const std::vector<evaluation::EvaluationResult>& results, const std::string& data_set,
                   const std::string& method, const Score& score) {
   std::vector<double> values;
-  for (const core::EvaluationResult& result : results) {
+  for (const evaluation::EvaluationResult& result : results) {
     if (result.data_set == data_set && result.method == method) values.push_back(score(result));
   }
   Summary summary;
@@ -101,7 +101,7 @@ std::string Quoted(const std::string& text) {
   return quoted + '"';
 }
 
-void WriteScores(const char* name, const core::PartitionScores& scores, std::ostream* stream) {
+void WriteScores(const char* name, const evaluation::PartitionScores& scores, std::ostream* stream) {
   *stream << ", \"" << name << "\": {\"rand_index\": " << scores.rand_index
           << ", \"ari\": " << scores.adjusted_rand_index << ", \"nmi\": " << scores.normalised_mutual_information
           << ", \"acc\": " << scores.accuracy << '}';
@@ -109,17 +109,17 @@ void WriteScores(const char* name, const core::PartitionScores& scores, std::ost
 
 }  // namespace
 
-void WriteMarkdown(const std::vector<core::EvaluationResult>& results, const std::vector<std::string>& data_sets,
+void WriteMarkdown(const std::vector<evaluation::EvaluationResult>& results, const std::vector<std::string>& data_sets,
                    const std::vector<std::string>& methods, std::ostream* stream) {
   const auto cell_of = [&results](const Score& score) {
     return [&results, score](const std::string& data_set, const std::string& method) {
       return Summarise(results, data_set, method, score);
     };
   };
-  const Cell nearest = cell_of([](const core::EvaluationResult& result) { return result.test.rand_index; });
-  const Cell anew = cell_of([](const core::EvaluationResult& result) { return result.test_anew.rand_index; });
+  const Cell nearest = cell_of([](const evaluation::EvaluationResult& result) { return result.test.rand_index; });
+  const Cell anew = cell_of([](const evaluation::EvaluationResult& result) { return result.test_anew.rand_index; });
   WriteTable("train", data_sets, methods,
-             cell_of([](const core::EvaluationResult& result) { return result.train.rand_index; }), stream);
+             cell_of([](const evaluation::EvaluationResult& result) { return result.train.rand_index; }), stream);
   WriteTable("test by nearest centroid", data_sets, methods, nearest, stream);
   WriteTable("test clustered anew", data_sets, methods, anew, stream);
   WriteTable(
@@ -132,11 +132,11 @@ void WriteMarkdown(const std::vector<core::EvaluationResult>& results, const std
       stream);
 }
 
-void WriteJson(const std::vector<core::EvaluationResult>& results, const std::string& path) {
+void WriteJson(const std::vector<evaluation::EvaluationResult>& results, const std::string& path) {
   std::ofstream file(path);
   file << std::setprecision(9) << '[';
   for (std::size_t index = 0; index < results.size(); ++index) {
-    const core::EvaluationResult& result = results[index];
+    const evaluation::EvaluationResult& result = results[index];
     file << (index == 0 ? "\n" : ",\n") << "  {\"dataset\": " << Quoted(result.data_set)
          << ", \"method\": " << Quoted(result.method) << ", \"seed\": " << result.seed;
     WriteScores("train", result.train, &file);

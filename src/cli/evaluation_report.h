@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact_shapelets/core/evaluation.h"
+#include "evaluation/protocol.h"
 
 namespace contact_shapelets::cli {
 
@@ -12,10 +12,10 @@ namespace contact_shapelets::cli {
 /// better mean of the last two: a row per data set and one of averages (blank where a data set is missing), a column
 /// per method; a cell is the Rand index's mean ± standard deviation over seeds, then the best. Data sets and methods
 /// are in the order given.
-void WriteMarkdown(const std::vector<core::EvaluationResult>& results, const std::vector<std::string>& data_sets,
+void WriteMarkdown(const std::vector<evaluation::EvaluationResult>& results, const std::vector<std::string>& data_sets,
                    const std::vector<std::string>& methods, std::ostream* stream);
 
 /// Writes `results` as a JSON list. \throws std::runtime_error naming the file where it cannot be written.
-void WriteJson(const std::vector<core::EvaluationResult>& results, const std::string& path);
+void WriteJson(const std::vector<evaluation::EvaluationResult>& results, const std::string& path);
 
 }  // namespace contact_shapelets::cli

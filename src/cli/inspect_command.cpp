@@ -128,8 +128,8 @@ void PrintTopics(const std::string& title, const std::vector<OtherTopic>& topics
 void Print(const std::string& path, const BagInspection& inspection) {
   std::cout << path << '\n';
   std::cout << "  " << Count(inspection.messages, "message") << ", " << SizeText(inspection.size) << ", from "
-            << DateText(inspection.begin) << " UTC, "
-            << Number(1e-9 * static_cast<double>(inspection.end - inspection.begin), 1) << " s\n";
+            << DateText(inspection.begin) << " UTC, " << Number(core::ToSeconds(inspection.end - inspection.begin), 1)
+            << " s\n";
   for (const WrenchTopic& wrench : inspection.wrenches) PrintWrench(wrench);
   if (inspection.model) PrintModel(*inspection.model);
   for (const EpisodesFound& found : inspection.recorded) {
@@ -139,10 +139,10 @@ void Print(const std::string& path, const BagInspection& inspection) {
   PrintTopics("episode markers", inspection.markers);
   if (inspection.markers.empty()) std::cout << "  episode markers: none\n";
   PrintTopics("other topics", inspection.others);
-  if (inspection.problems.empty()) std::cout << "  problems: none\n";
-  if (!inspection.problems.empty()) std::cout << "  problems\n";
-  for (const Problem& problem : inspection.problems) {
-    std::cout << "    " << problem.text << "\n      what to do: " << problem.remedy << '\n';
+  if (inspection.findings.empty()) std::cout << "  findings: none\n";
+  if (!inspection.findings.empty()) std::cout << "  findings\n";
+  for (const core::Finding& finding : inspection.findings) {
+    std::cout << "    " << finding.text << "\n      what to do: " << finding.remedy << '\n';
   }
 }
 

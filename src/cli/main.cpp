@@ -14,8 +14,8 @@
 #include "cli/report_command.h"
 #include "cli/text.h"
 #include "cli/train_command.h"
-#include "ros/bag_damage.h"
-#include "ros/text.h"
+#include "ros/bags/bag_damage.h"
+#include "ros/messages/text.h"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include "cli/episode_table.h"
 #include "cli/report_page.h"
 #include "cli/text.h"
-#include "contact_shapelets/core/series.h"
 #include "contact_shapelets/ros/model_bag.h"
-#include "contact_shapelets/ros/output_file.h"
+#include "core/numerics/series.h"
+#include "ros/bags/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {

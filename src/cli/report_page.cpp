@@ -8,7 +8,7 @@
 #include "cli/report_plots.h"
 #include "cli/svg_plot.h"
 #include "cli/text.h"
-#include "contact_shapelets/core/partition_metrics.h"
+#include "evaluation/partition_metrics.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -74,9 +74,9 @@ std::string Summary(const ReportContents& contents) {
       Escaped(Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
               " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
               Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
-  const auto agreement = core::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
+  const auto agreement = evaluation::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
   if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
-  const core::PartitionScores& scores = agreement->scores;
+  const evaluation::PartitionScores& scores = agreement->scores;
   return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +
                    ": Rand index <b>" + Number(scores.rand_index, 4) + "</b>, ARI " +
                    Number(scores.adjusted_rand_index, 4) + ", NMI " + Number(scores.normalised_mutual_information, 4) +

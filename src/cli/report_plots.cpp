@@ -6,8 +6,8 @@
 
 #include "cli/svg_plot.h"
 #include "cli/text.h"
-#include "contact_shapelets/core/ncc.h"
-#include "contact_shapelets/core/series.h"
+#include "core/matching/ncc_kernel.h"
+#include "core/numerics/series.h"
 
 namespace contact_shapelets::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/common.h"
 #include "cli/text.h"
 #include "contact_shapelets/ros/model_bag.h"
-#include "contact_shapelets/ros/output_file.h"
+#include "ros/bags/output_file.h"
 
 namespace contact_shapelets::cli {
 namespace {

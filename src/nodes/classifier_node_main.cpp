@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 
-#include "contact_shapelets/ros/classifier_node.h"
+#include "ros/nodes/classifier_node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "classifier_node");

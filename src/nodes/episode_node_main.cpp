@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 
-#include "contact_shapelets/ros/episode_node.h"
+#include "ros/nodes/episode_node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "episode_node");

@@ -3,8 +3,8 @@
 #include <csignal>
 #include <string>
 
-#include "contact_shapelets/ros/trainer_node.h"
-#include "ros/bag_damage.h"
+#include "ros/bags/bag_damage.h"
+#include "ros/nodes/trainer_node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "trainer_node");

@@ -1,6 +1,6 @@
 #include <ros/ros.h>
 
-#include "contact_shapelets/ros/wrench_adapter_node.h"
+#include "ros/nodes/wrench_adapter_node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "wrench_adapter_node");

@@ -21,9 +21,9 @@ std::string InspectFlaw(Flaw flaw) {
   return run.out;
 }
 
-TEST(InspectTest, SoundBagHasNoProblemAndItsEpisodesAreCounted) {
+TEST(InspectTest, SoundBagHasNoFindingAndItsEpisodesAreCounted) {
   const std::string text = InspectFlaw(Flaw::kNone);
-  EXPECT_TRUE(Contains(text, "problems: none")) << text;
+  EXPECT_TRUE(Contains(text, "findings: none")) << text;
   EXPECT_TRUE(Contains(text, "1800 over 17.99 s, 100.0 Hz")) << text;
   EXPECT_TRUE(Contains(text, "frame flange")) << text;
   EXPECT_TRUE(Contains(text, "trigger  6 episodes of 2.40 s: 2 broad, 2 double, 2 sharp")) << text;
@@ -66,15 +66,15 @@ TEST(InspectTest, GapsAreCountedAndDoNotSpoilTheRate) {
   EXPECT_TRUE(Contains(text, "6 episodes incomplete (trigger)")) << text;
 }
 
-TEST(InspectTest, EveryProblemSaysWhatToDo) {
+TEST(InspectTest, EveryFindingSaysWhatToDo) {
   const std::string text = InspectFlaw(Flaw::kGap);
-  std::size_t problems = 0;
+  std::size_t findings = 0;
   std::size_t remedies = 0;
-  for (const std::string& line : Lines(text.substr(text.find("  problems\n") + 11))) {
-    (line.compare(0, 18, "      what to do: ") == 0 ? remedies : problems)++;
+  for (const std::string& line : Lines(text.substr(text.find("  findings\n") + 11))) {
+    (line.compare(0, 18, "      what to do: ") == 0 ? remedies : findings)++;
   }
-  EXPECT_EQ(problems, 2U) << text;
-  EXPECT_EQ(remedies, problems) << text;
+  EXPECT_EQ(findings, 2U) << text;
+  EXPECT_EQ(remedies, findings) << text;
 }
 
 TEST(InspectTest, AbsenceOfMarkersIsNamed) {
@@ -87,14 +87,14 @@ TEST(InspectTest, AbsenceOfMarkersIsNamed) {
   EXPECT_TRUE(Contains(run.out, "use --segmentation contact")) << run.out;
 }
 
-TEST(InspectTest, SecondWrenchTopicIsAProblemUnlessOneIsChosen) {
+TEST(InspectTest, SecondWrenchTopicIsAFindingUnlessOneIsChosen) {
   const TemporaryFolder folder;
   MadeBag content;
   content.wrench_topics = {"/left/wrench", "/right/wrench"};
   const std::string bag = Make(folder / "made.bag", content);
   EXPECT_TRUE(Contains(RunShapelets({"inspect", bag}).out, "several topics of type geometry_msgs/WrenchStamped"));
   const ProgramRun chosen = RunShapelets({"inspect", bag, "--wrench-topic", "/left/wrench"});
-  EXPECT_TRUE(Contains(chosen.out, "problems: none")) << chosen.out;
+  EXPECT_TRUE(Contains(chosen.out, "findings: none")) << chosen.out;
 }
 
 TEST(InspectTest, UnreadableBagIsNamedAndTheOthersAreInspected) {
@@ -103,10 +103,10 @@ TEST(InspectTest, UnreadableBagIsNamedAndTheOthersAreInspected) {
   EXPECT_EQ(run.status, 1);
   ASSERT_EQ(Lines(run.err).size(), 1U) << run.err;
   EXPECT_TRUE(Contains(run.err, "missing.bag: expected a bag, but there is no such file")) << run.err;
-  EXPECT_TRUE(Contains(run.out, "problems: none")) << run.out;
+  EXPECT_TRUE(Contains(run.out, "findings: none")) << run.out;
 }
 
-TEST(InspectTest, ModelOfAnotherMessageVersionIsAProblem) {
+TEST(InspectTest, ModelOfAnotherMessageVersionIsAFinding) {
   const TemporaryFolder folder;
   const ProgramRun run = RunShapelets({"inspect", MakeModelOfAnotherVersion(folder / "old.bag")});
   EXPECT_EQ(run.status, 0) << run.err;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact_shapelets/core/episode.h"
-#include "contact_shapelets/core/random.h"
+#include "core/numerics/random.h"
 
 namespace contact_shapelets::core {
 

@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "contact_shapelets/core/time.h"
+
 /// \file
 /// One manipulation episode, as the learner and the classifier see it.
 
 namespace contact_shapelets::core {
-
-/// A point in time or a duration in nanoseconds; exact, unlike a double at today's date.
-using Nanoseconds = std::int64_t;
 
 /// How an episode ended; values as in Episode.msg.
 enum class EndReason : std::uint8_t {

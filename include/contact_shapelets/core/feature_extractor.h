@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
-#include "contact_shapelets/core/model.h"
-#include "contact_shapelets/core/ncc.h"
+#include "contact_shapelets/core/shapelet.h"
 
 /// \file
 /// The similarity and t-SNE layers of the paper, for any number of shapelets of individual length and dilation.
@@ -19,15 +19,20 @@ struct ShapeletDistances {
   Eigen::VectorXi match_span;   ///< [K] samples from the window's first to behind its last
 };
 
-/// Membership of equation 4 with one degree of freedom: q_k = (1 + F_k)^-1 / sum (1 + F)^-1. `distances` are F [K].
-Eigen::VectorXf Memberships(const Eigen::Ref<const Eigen::VectorXf>& distances);
-
 /// What FeatureExtractor works in: kept from one series to the next, so that little is allocated. One per thread.
-struct FeatureMemory {
-  std::vector<float> values;
-  WindowSet windows;
-  SearchMemory search;
-  std::vector<Match> matches;
+class FeatureMemory {
+ public:
+  FeatureMemory();
+  ~FeatureMemory();
+  FeatureMemory(FeatureMemory&&) noexcept;
+  FeatureMemory& operator=(FeatureMemory&&) noexcept;
+
+  struct Arrays;
+  /// For FeatureExtractor alone.
+  Arrays& arrays() { return *arrays_; }
+
+ private:
+  std::unique_ptr<Arrays> arrays_;
 };
 
 /// Computes the distances of series to a fixed list of shapelets. Safe to use from several threads at the same time.
@@ -52,14 +57,8 @@ class FeatureExtractor {
   int shapelet_count() const { return shapelet_count_; }
 
  private:
-  /// Shapelets of equal length and dilation share the statistics of the windows.
-  struct Group {
-    int dilation;
-    std::vector<int> shapelets;
-    ShapeletSet set;
-  };
-
-  std::vector<Group> groups_;
+  struct Group;
+  std::shared_ptr<const std::vector<Group>> groups_;  ///< never changed, so that copies share them
   int shapelet_count_;
   double flat_fraction_;
 };

@@ -5,17 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "contact_shapelets/core/shapelet.h"
+
 /// \file
 /// A trained model: what a classifier needs, and how it came about. Values as in ShapeletModel.msg.
 
 namespace contact_shapelets::core {
-
-/// One learned shapelet.
-struct Shapelet {
-  int scale = 0;           ///< index of the scale (bank) it was learned at
-  int dilation = 1;        ///< samples between two of its values, at least 1
-  Eigen::VectorXf values;  ///< z-normalised
-};
 
 /// One cluster in feature space.
 struct Cluster {
@@ -40,12 +35,13 @@ struct Model {
   std::string id;              ///< unique
   double sample_period = 0.0;  ///< [s] of the episodes that it applies to
   double flat_fraction = 0.3;  ///< windows under this part of the episode's standard deviation are skipped, [0, 1)
-  double log_offset = 0.05;    ///< see Features(), above 0
+  double log_offset = 0.05;    ///< see Features(), [0, 1]
   std::vector<Shapelet> shapelets;
   std::vector<Cluster> clusters;
   Provenance provenance;
 
-  /// The features that clusters are formed on: log(max(F, 0) + log_offset), for distances F, one series per row.
+  /// The features that clusters are formed on, for distances F, one series per row: log(max(F, 0) + log_offset), or
+  /// max(F, 0) if `log_offset` is 0.
   Eigen::MatrixXf Features(const Eigen::Ref<const Eigen::MatrixXf>& distances) const;
 
   /// The event that `cluster` stands for: its label, or "cluster_<index>" while it has none, or "unknown" for -1.

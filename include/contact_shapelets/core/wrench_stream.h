@@ -1,15 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "contact_shapelets/core/episode_segmenter.h"
-#include "contact_shapelets/core/sample_clock.h"
-#include "contact_shapelets/core/stream_monitor.h"
+#include "contact_shapelets/core/episode.h"
+#include "contact_shapelets/core/episode_edge.h"
+#include "contact_shapelets/core/segmentation_options.h"
+#include "contact_shapelets/core/stream_summary.h"
 
 /// \file
-/// All that happens to a wrench stream before the classifier: clock, health, segmentation. The episode node feeds it
-/// from subscribers, the reader of bags from files, so that both give the same episodes.
+/// From wrenches and edges to episodes: clock, health, segmentation. The episode node feeds it from subscribers, the
+/// reader of bags from files, so that both give the same episodes.
 
 namespace contact_shapelets::core {
 
@@ -17,35 +21,52 @@ namespace contact_shapelets::core {
 class WrenchStream {
  public:
   /// \throws std::invalid_argument naming every parameter that is out of range.
-  explicit WrenchStream(const SegmentationOptions& options) : segmenter_(options) {}
+  explicit WrenchStream(const SegmentationOptions& options);
+  ~WrenchStream();
+  WrenchStream(WrenchStream&&) noexcept;
+  WrenchStream& operator=(WrenchStream&&) noexcept;
 
-  /// Takes a wrench with the header's `stamp` (0: none). Forces that are not finite or above kGreatestForce are counted
-  /// and dropped. Returns false where the sample was dropped.
+  /// Takes a wrench with the header's `stamp` (0: none). Counts and drops forces that are not finite or above
+  /// kGreatestForce. Returns false if it dropped the sample.
   bool AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force);
-  /// Takes an edge without a stamp of its own, at its `arrival`. Edges that change nothing are ignored.
+  /// Takes an edge without a stamp, at its `arrival`. Ignores edges that change nothing.
   void AddPlainEdge(bool open, Nanoseconds arrival);
   /// Takes a service call at `arrival`.
   void AddCommand(bool open, Nanoseconds arrival);
-  /// Takes an edge with a `stamp` on the clock of the wrench; one with a stamp of 0 counts as one without.
+  /// Takes an edge with a `stamp` on the clock of the wrench; a stamp of 0 counts as none.
   void AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival);
-  /// Lets time pass.
-  void AdvanceTo(Nanoseconds arrival) { segmenter_.AdvanceTo(clock_.FromArrival(arrival)); }
+  /// Lets time pass without a wrench: waits and timeouts run out.
+  void AdvanceTo(Nanoseconds arrival);
+  /// Ends the input: finishes the episodes that wait; an open one ends with EndReason::kStream.
+  void Finish();
 
-  /// The segmenter, which holds the results.
-  EpisodeSegmenter& segmenter() { return segmenter_; }
-  /// The segmenter, which holds the results.
-  const EpisodeSegmenter& segmenter() const { return segmenter_; }
+  /// Takes the mean force of the last `tare_duration` as the tare of TareSource::kService and returns it [N].
+  /// \throws std::runtime_error if no wrench has arrived yet.
+  Eigen::Vector3d TareNow();
+
+  /// Sets the sensor's frame, which episodes carry.
+  void set_frame_id(const std::string& frame_id);
+  /// True while an episode is open.
+  bool IsOpen() const;
+  /// The open episode so far, incomplete; none if no episode is open or it is shorter than `min_duration`.
+  std::optional<Episode> OpenEpisode() const;
+  /// True if TakeEpisodes() or TakeEdges() would return something.
+  bool HasNews() const;
+  /// The episodes that ended since the last call, in the order of their ends.
+  std::vector<Episode> TakeEpisodes();
+  /// The edges decided on since the last call, in order.
+  std::vector<EpisodeEdge> TakeEdges();
+  /// Episodes dropped so far: too short, or without a sample.
+  int dropped_episodes() const;
+
   /// The health of the whole stream.
   StreamSummary Summary() const;
   /// The health of the stream since the last call, or since the start.
   StreamSummary TakeLap();
 
  private:
-  void SetStamps(StreamMonitor* monitor) const;
-
-  SampleClock clock_;
-  StreamMonitor monitor_;
-  EpisodeSegmenter segmenter_;
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace contact_shapelets::core

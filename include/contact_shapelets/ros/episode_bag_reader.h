@@ -6,7 +6,7 @@
 
 #include "contact_shapelets/core/episode.h"
 #include "contact_shapelets/core/segmentation_options.h"
-#include "contact_shapelets/core/stream_monitor.h"
+#include "contact_shapelets/core/stream_summary.h"
 
 /// \file
 /// Episodes out of recorded bags, by the same classes that cut the live stream.
@@ -26,7 +26,7 @@ struct BagContents {
   int dropped_episodes = 0;             ///< too short, or without a sample
 };
 
-/// Called with the part of the bag that was read, [0, 1]. It may throw core::TrainingCancelled, which passes through.
+/// Called with the part of the bag that was read, [0, 1]. It may throw core::Cancelled, which passes through.
 using ReadProgress = std::function<void(double)>;
 
 /// Reads the episodes of one bag as a stream: Episode messages where it has some, else raw wrench with its triggers.

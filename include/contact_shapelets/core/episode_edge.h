@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "contact_shapelets/core/time.h"
+
+namespace contact_shapelets::core {
+
+/// Where an edge comes from.
+enum class EdgeSource {
+  kPlain,    ///< a message without a stamp: its time is that of its arrival
+  kStamped,  ///< a message with a stamp: exact, replaces plain ones
+  kCommand,  ///< a service call
+  kContact,  ///< the contact force
+};
+
+/// The opening or closing of an episode.
+struct EpisodeEdge {
+  bool open = true;      ///< opening or closing
+  Nanoseconds time = 0;  ///< on the clock of the samples
+  EdgeSource source = EdgeSource::kPlain;
+  std::string id;  ///< of the episode; may be empty
+};
+
+}  // namespace contact_shapelets::core

@@ -1,0 +1,74 @@
+#include "core/clustering/latent_class.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace contact_shapelets::core {
+namespace {
+
+constexpr int kMostRounds = 200;
+/// What no membership must change by any more.
+constexpr double kSettled = 1e-4;
+/// Part of a series' membership that the start leaves in doubt, so that it can be left again.
+constexpr double kDoubt = 0.2;
+/// Series that each class is thought to hold beside its own, spread evenly over a voter's parts: none has probability
+/// 0.
+constexpr double kPrior = 0.5;
+
+void Check(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eigen::VectorXi>& start, int classes) {
+  if (votes.empty() || start.size() == 0) throw std::invalid_argument("latent classes need a vote on a series");
+  if (start.minCoeff() < 0 || start.maxCoeff() >= classes) throw std::invalid_argument("a label is not of any class");
+  for (const Eigen::VectorXi& vote : votes) {
+    if (vote.size() != start.size()) throw std::invalid_argument("a vote is of another number of series");
+    if (vote.minCoeff() < 0) throw std::invalid_argument("a part of a vote is below 0");
+  }
+}
+
+/// log P(part | class) of one voter, [parts, classes], from how many series of each class fell into each part.
+Eigen::MatrixXd LogProbabilities(const Eigen::VectorXi& vote, const Eigen::Ref<const Eigen::MatrixXd>& memberships) {
+  const int parts = vote.maxCoeff() + 1;
+  Eigen::MatrixXd counts = Eigen::MatrixXd::Constant(parts, memberships.cols(), kPrior / parts);
+  for (Eigen::Index series = 0; series < vote.size(); ++series) counts.row(vote[series]) += memberships.row(series);
+  const Eigen::RowVectorXd totals = counts.colwise().sum();
+  return (counts.array().rowwise() / totals.array()).log();
+}
+
+/// P(class | votes) of each series, [N, classes], by the probabilities that `memberships` give.
+Eigen::MatrixXd Reestimated(const std::vector<Eigen::VectorXi>& votes,
+                            const Eigen::Ref<const Eigen::MatrixXd>& memberships) {
+  const Eigen::RowVectorXd shares = (memberships.colwise().sum().array() + 1.0).log();
+  Eigen::MatrixXd logarithms = shares.replicate(memberships.rows(), 1);
+  for (const Eigen::VectorXi& vote : votes) {
+    const Eigen::MatrixXd probabilities = LogProbabilities(vote, memberships);
+    for (Eigen::Index series = 0; series < vote.size(); ++series) {
+      logarithms.row(series) += probabilities.row(vote[series]);
+    }
+  }
+  const Eigen::VectorXd largest = logarithms.rowwise().maxCoeff();
+  logarithms = (logarithms.colwise() - largest).array().exp();
+  const Eigen::VectorXd totals = logarithms.rowwise().sum();
+  return logarithms.array().colwise() / totals.array();
+}
+
+}  // namespace
+
+Eigen::VectorXi LatentClasses(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eigen::VectorXi>& start,
+                              int classes) {
+  Check(votes, start, classes);
+  Eigen::MatrixXd memberships = Eigen::MatrixXd::Constant(start.size(), classes, kDoubt / classes);
+  for (Eigen::Index series = 0; series < start.size(); ++series) memberships(series, start[series]) += 1.0 - kDoubt;
+  for (int round = 0; round < kMostRounds; ++round) {
+    Eigen::MatrixXd next = Reestimated(votes, memberships);
+    const double change = (next - memberships).cwiseAbs().maxCoeff();
+    memberships.swap(next);
+    if (change < kSettled) break;
+  }
+  Eigen::VectorXi labels(start.size());
+  for (Eigen::Index series = 0; series < start.size(); ++series) memberships.row(series).maxCoeff(&labels[series]);
+  for (int index = 0; index < classes; ++index) {
+    if ((labels.array() == index).count() == 0) return start;
+  }
+  return labels;
+}
+
+}  // namespace contact_shapelets::core

@@ -1,7 +1,0 @@
-#include "core/ncc_tile_loops.h"
-
-namespace contact_shapelets::core::tile {
-
-Loops BaselineLoops() { return TileLoops<4, 2>::All("baseline"); }
-
-}  // namespace contact_shapelets::core::tile

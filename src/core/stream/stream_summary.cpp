@@ -1,0 +1,131 @@
+#include "contact_shapelets/core/stream_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace contact_shapelets::core {
+namespace {
+
+constexpr double kFrozenSeconds = 1.0;
+constexpr double kRepeatedPart = 0.02;
+constexpr double kJitterPart = 0.5;
+constexpr double kOffsetSeconds = 0.5;
+
+/// Three digits, or all before the point: nobody reads 7.2e+03 s.
+std::string Shown(double value) {
+  std::ostringstream text;
+  if (std::abs(value) >= 1000.0) {
+    text << std::llround(value);
+  } else {
+    text << std::setprecision(3) << value;
+  }
+  return text.str();
+}
+
+const char* Shown(const char* text) { return text; }
+std::int64_t Shown(std::int64_t count) { return count; }
+
+template <typename... Parts>
+std::string Text(const Parts&... parts) {
+  std::ostringstream text;
+  (text << ... << Shown(parts));
+  return text.str();
+}
+
+/// Adds the intervals of `before`, with which rate and jitter go, to those of `joined`.
+void JoinIntervals(const StreamSummary& before, StreamSummary* joined) {
+  if (before.rate == 0.0) return;
+  const StreamSummary after = *joined;
+  joined->intervals += before.intervals;
+  if (after.rate == 0.0) {
+    joined->rate = before.rate;
+    joined->jitter = before.jitter;
+    return;
+  }
+  const double part = static_cast<double>(before.intervals) / static_cast<double>(joined->intervals);
+  const double difference = 1.0 / before.rate - 1.0 / after.rate;
+  joined->rate = 1.0 / (part / before.rate + (1.0 - part) / after.rate);
+  joined->jitter = std::sqrt(part * before.jitter * before.jitter + (1.0 - part) * after.jitter * after.jitter +
+                             part * (1.0 - part) * difference * difference);
+}
+
+/// Widens the ranges of `joined` to those of `before`; takes them over where they are the `only` ones.
+void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
+  joined->least_force = only ? before.least_force : std::min(before.least_force, joined->least_force);
+  joined->greatest_force = std::max(before.greatest_force, joined->greatest_force);
+  joined->least_components =
+      only ? before.least_components : before.least_components.cwiseMin(joined->least_components).eval();
+  joined->greatest_components =
+      only ? before.greatest_components : before.greatest_components.cwiseMax(joined->greatest_components).eval();
+}
+
+}  // namespace
+
+StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
+  StreamSummary joined = after;
+  joined.samples += before.samples;
+  joined.not_finite += before.not_finite;
+  joined.out_of_order += before.out_of_order;
+  joined.zero_stamps += before.zero_stamps;
+  joined.wrong_stamps += before.wrong_stamps;
+  joined.jumps_back += before.jumps_back;
+  joined.repeated += before.repeated;
+  joined.repeated_messages += before.repeated_messages;
+  joined.gaps += before.gaps;
+  joined.duration += before.duration;
+  joined.longest_interval = std::max(joined.longest_interval, before.longest_interval);
+  joined.longest_frozen = std::max(joined.longest_frozen, before.longest_frozen);
+  JoinIntervals(before, &joined);
+  if (before.samples > 0) JoinForces(before, after.samples == 0, &joined);
+  return joined;
+}
+
+std::vector<Finding> FindingsOf(const StreamSummary& summary) {
+  std::vector<Finding> findings;
+  const auto find = [&findings](bool wrong, const std::string& text, const char* remedy,
+                                Severity severity = Severity::kWarning) {
+    if (wrong) findings.push_back({severity, text, remedy});
+  };
+  const std::int64_t repeated = summary.repeated + summary.repeated_messages;
+  const std::int64_t compared = summary.samples + summary.repeated_messages - 1;
+  const double repeated_part = compared > 0 ? static_cast<double>(repeated) / static_cast<double>(compared) : 0.0;
+  const bool all_frozen = compared > 0 && repeated == compared;
+  const bool frozen = all_frozen || summary.longest_frozen >= kFrozenSeconds;
+  const char* const check_sensor =
+      "check the sensor, its cable and its driver; such episodes say nothing, leave them out";
+  find(summary.samples == 0, "no usable sample", "check that the driver publishes while recording", Severity::kError);
+  find(all_frozen, "frozen sensor: one value for its whole length", check_sensor, Severity::kError);
+  find(frozen && !all_frozen, Text("frozen sensor: one value for ", summary.longest_frozen, " s"), check_sensor,
+       Severity::kError);
+  find(!all_frozen && repeated_part >= kRepeatedPart,
+       Text("repeated samples: ", 100.0 * repeated_part, " % equal the sample before",
+            summary.repeated_messages > 0 ? ", stamp and all" : ""),
+       "usable: values between are interpolated; the driver publishes faster than its sensor measures, lower its rate");
+  find(summary.not_finite > 0, Text(summary.not_finite, " samples NaN, infinite or above 1e6 N, dropped"),
+       "check the driver: an invalid estimate must not be published");
+  find(summary.out_of_order > 0, Text(summary.out_of_order, " samples not after the one before, dropped"),
+       "look for two publishers on the topic, or a driver that stamps wrongly");
+  find(summary.zero_stamps > 0, Text(summary.zero_stamps, " samples without a stamp: arrival times are used"),
+       "let the driver set header.stamp: arrival times carry the network's jitter");
+  find(summary.wrong_stamps > 0,
+       Text(summary.wrong_stamps, " stamps ran backward, stood still or leapt ahead: arrival times are used"),
+       "synchronise the controller's clock, and record one run per bag");
+  find(summary.jumps_back > 0, Text("time jumped back ", summary.jumps_back, " times"),
+       "record one run per bag, without a replay that loops");
+  find(
+      summary.gaps > 0, Text(summary.gaps, " gaps, the longest of ", summary.longest_interval, " s"),
+      "harmless between episodes; within one it is marked as incomplete: check network and recorder for lost messages");
+  // A frozen stamp ages: that says nothing of the clocks.
+  find(!all_frozen && std::abs(summary.clock_offset) > kOffsetSeconds,
+       Text("stamps are ", std::abs(summary.clock_offset), summary.clock_offset > 0.0 ? " s behind" : " s ahead of",
+            " the time of arrival"),
+       "synchronise the clocks (chrony, PTP); differences of stamps are used, triggers are shifted by the offset");
+  find(summary.rate > 0.0 && summary.jitter * summary.rate > kJitterPart,
+       Text("jitter of ", 1000.0 * summary.jitter, " ms at a mean interval of ", 1000.0 / summary.rate, " ms"),
+       "check the load of the driver's machine, and that stamps are set where the force is measured");
+  return findings;
+}
+
+}  // namespace contact_shapelets::core

@@ -1,0 +1,262 @@
+#include "contact_shapelets/ros/episode_bag_reader.h"
+
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <std_msgs/Bool.h>
+#include <std_msgs/String.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "contact_shapelets/core/cancelled.h"
+#include "contact_shapelets/core/wrench_stream.h"
+#include "ros/bags/bag_damage.h"
+#include "ros/bags/bag_topics.h"
+#include "ros/messages/action_edges.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/topics.h"
+
+namespace contact_shapelets {
+namespace {
+
+constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
+
+/// The topics that a reading needs; empty names where the bag has none.
+struct Parts {
+  std::string wrench;
+  std::string active;
+  std::string event;
+  std::string status;
+  std::string outcome;
+  std::string episode;
+};
+
+std::string Joined(const std::vector<std::string>& names) {
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
+  return joined;
+}
+
+std::string AtMostOne(const std::string& path, const std::vector<std::string>& topics, const std::string& what) {
+  if (topics.size() > 1) {
+    throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics) +
+                             "; keep one by `rosbag filter`");
+  }
+  return topics.empty() ? "" : topics.front();
+}
+
+std::string FindWrench(const std::string& path, const BagTopics& topics, const std::string& wanted) {
+  const std::vector<std::string> wrenches = topics.OfType(kWrenchType);
+  if (!wanted.empty()) {
+    for (const std::string& topic : wrenches) {
+      if (topic == wanted || topic == "/" + wanted) return topic;
+    }
+    throw std::runtime_error(path + ": expected " + kWrenchType + " on " + wanted + ", but found " + topics.List());
+  }
+  if (wrenches.empty()) {
+    throw std::runtime_error(path + ": expected a topic of type " + kWrenchType +
+                             " or contact_shapelets/Episode, but found " + topics.List());
+  }
+  if (wrenches.size() > 1) {
+    throw std::runtime_error(path + ": expected one topic of type " + std::string(kWrenchType) + ", but found " +
+                             Joined(wrenches) + "; choose one by --wrench-topic");
+  }
+  return wrenches.front();
+}
+
+Parts FindParts(const std::string& path, const BagTopics& topics, const BagReaderOptions& options) {
+  Parts parts;
+  parts.outcome = AtMostOne(path, topics.Named(topics::kOutcome, "std_msgs/String"), "outcome");
+  if (options.wrench_topic.empty()) {
+    parts.episode = AtMostOne(path, topics.Named(topics::kEpisode, "contact_shapelets/Episode"), "episode");
+    if (!parts.episode.empty()) return parts;
+  }
+  parts.wrench = FindWrench(path, topics, options.wrench_topic);
+  if (options.segmentation.segmentation == core::Segmentation::kTrigger) {
+    parts.event =
+        AtMostOne(path, topics.Named(topics::kEpisodeEvent, "contact_shapelets/EpisodeEvent"), "episode_event");
+    // Stamped edges are exact, so plain ones beside them are not needed.
+    if (parts.event.empty()) {
+      parts.active = AtMostOne(path, topics.Named(topics::kEpisodeActive, "std_msgs/Bool"), "episode_active");
+    }
+  }
+  if (options.segmentation.segmentation == core::Segmentation::kAction) {
+    parts.status = AtMostOne(path, topics.OfType("actionlib_msgs/GoalStatusArray"), "action status");
+  }
+  return parts;
+}
+
+/// Takes the messages of one bag in the order of their arrival.
+class Reading {
+ public:
+  Reading(const Parts& parts, const BagReaderOptions& options) : parts_(parts), stream_(options.segmentation) {}
+
+  void Take(const rosbag::MessageInstance& message) {
+    const std::string& topic = message.getTopic();
+    const core::Nanoseconds arrival = ToNanoseconds(message.getTime());
+    if (topic == parts_.wrench) {
+      TakeWrench(*Instantiate<geometry_msgs::WrenchStamped>(message), arrival);
+    } else if (topic == parts_.active) {
+      stream_.AddPlainEdge(Instantiate<std_msgs::Bool>(message)->data != 0, arrival);
+    } else if (topic == parts_.event) {
+      const auto event = Instantiate<EpisodeEvent>(message);
+      stream_.AddStampedEdge(event->kind == EpisodeEvent::OPEN, ToNanoseconds(event->header.stamp), event->episode_id,
+                             arrival);
+    } else if (topic == parts_.status) {
+      TakeStatus(*Instantiate<actionlib_msgs::GoalStatusArray>(message), arrival);
+    } else if (topic == parts_.episode) {
+      TakeEpisode(FromMessage(*Instantiate<Episode>(message)));
+    } else if (topic == parts_.outcome && !closings_.empty()) {
+      closings_.back().outcome = Instantiate<std_msgs::String>(message)->data;
+    }
+    Collect();
+  }
+
+  BagContents Finish() {
+    stream_.Finish();
+    Collect();
+    NameOutcomes();
+    contents_.stream = stream_.Summary();
+    contents_.dropped_episodes += stream_.dropped_episodes();
+    return contents_;
+  }
+
+ private:
+  /// An episode that closed, and what was said of it. Ids may repeat, and closed episodes may be dropped.
+  struct Closing {
+    std::string id;
+    std::string outcome;
+  };
+
+  template <typename Message>
+  static typename Message::ConstPtr Instantiate(const rosbag::MessageInstance& instance) {
+    typename Message::ConstPtr message = instance.instantiate<Message>();
+    if (!message) {
+      throw std::runtime_error(instance.getTopic() + " holds " + instance.getDataType() + " of another version (MD5 " +
+                               instance.getMD5Sum() + ", expected " + ros::message_traits::md5sum<Message>() + ")");
+    }
+    return message;
+  }
+
+  void TakeWrench(const geometry_msgs::WrenchStamped& wrench, core::Nanoseconds arrival) {
+    if (!has_frame_) {
+      stream_.set_frame_id(wrench.header.frame_id);
+      has_frame_ = true;
+    }
+    stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
+  }
+
+  void TakeEpisode(core::Episode episode) {
+    closings_.push_back({episode.id, ""});
+    if (episode.force.size() < 2) {
+      ++contents_.dropped_episodes;
+    } else {
+      contents_.episodes.push_back(std::move(episode));
+    }
+  }
+
+  /// Episodes come in the order of their closings.
+  void NameOutcomes() {
+    auto closing = closings_.begin();
+    for (core::Episode& episode : contents_.episodes) {
+      closing = std::find_if(closing, closings_.end(), [&](const Closing& other) { return other.id == episode.id; });
+      if (closing == closings_.end()) return;
+      if (episode.outcome.empty()) episode.outcome = closing->outcome;
+      ++closing;
+    }
+  }
+
+  void TakeStatus(const actionlib_msgs::GoalStatusArray& status, core::Nanoseconds arrival) {
+    const bool active = AnyGoalActive(status);
+    if (active != action_active_) stream_.AddPlainEdge(active, TimeOfStatus(status, arrival));
+    action_active_ = active;
+  }
+
+  void Collect() {
+    if (!stream_.HasNews()) return;
+    for (const core::EpisodeEdge& edge : stream_.TakeEdges()) {
+      if (!edge.open) closings_.push_back({edge.id, ""});
+    }
+    for (core::Episode& episode : stream_.TakeEpisodes()) contents_.episodes.push_back(std::move(episode));
+  }
+
+  Parts parts_;
+  core::WrenchStream stream_;
+  BagContents contents_;
+  std::vector<Closing> closings_;
+  bool has_frame_ = false;
+  bool action_active_ = false;
+};
+
+std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
+  switch (options.segmentation.segmentation) {
+    case core::Segmentation::kContact:
+      return "no contact above contact_on was found in " + parts.wrench;
+    case core::Segmentation::kAction:
+      return parts.status.empty() ? "it has no topic of type actionlib_msgs/GoalStatusArray" : "no goal was active";
+    case core::Segmentation::kTrigger:
+      break;
+  }
+  if (!parts.episode.empty()) return parts.episode + " holds none of at least 2 samples";
+  const bool triggers = !parts.active.empty() || !parts.event.empty();
+  return triggers ? "its triggers open none that is long enough"
+                  : "it has no episode_active (std_msgs/Bool) or episode_event topic; try segmentation: contact";
+}
+
+}  // namespace
+
+BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
+  BagDamage damage(path);
+  rosbag::Bag bag;
+  OpenBag(path, &bag);
+  const BagTopics topics(bag);
+  const Parts parts = FindParts(path, topics, options);
+  std::vector<std::string> wanted;
+  for (const std::string& topic :
+       {parts.wrench, parts.active, parts.event, parts.status, parts.outcome, parts.episode}) {
+    if (!topic.empty()) wanted.push_back(topic);
+  }
+  Reading reading(parts, options);
+  BagContents contents;
+  try {
+    rosbag::View view(bag, rosbag::TopicQuery(wanted));
+    const double total = view.size();
+    double taken = 0.0;
+    for (const rosbag::MessageInstance& message : view) {
+      reading.Take(message);
+      if (progress && static_cast<int>(++taken) % 4096 == 0) progress(taken / total);
+    }
+    contents = reading.Finish();
+  } catch (const core::Cancelled&) {
+    throw;
+  } catch (const rosbag::BagException& error) {
+    throw std::runtime_error(path + ": expected a whole bag, but it is damaged: " + error.what());
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": " + error.what());
+  }
+  if (contents.episodes.empty()) {
+    throw std::runtime_error(path + ": expected at least one episode, but " + WhyNoEpisode(options, parts));
+  }
+  if (progress) progress(1.0);
+  return contents;
+}
+
+std::vector<core::Episode> ReadAllEpisodes(const std::vector<std::string>& paths, const BagReaderOptions& options,
+                                           const ReadProgress& progress) {
+  if (paths.empty()) throw std::runtime_error("expected at least one bag, but none was given");
+  std::vector<core::Episode> episodes;
+  for (std::size_t index = 0; index < paths.size(); ++index) {
+    const auto part = [&](double done) {
+      if (progress) progress((static_cast<double>(index) + done) / static_cast<double>(paths.size()));
+    };
+    for (core::Episode& episode : ReadEpisodes(paths[index], options, part).episodes) {
+      episodes.push_back(std::move(episode));
+    }
+  }
+  return episodes;
+}
+
+}  // namespace contact_shapelets

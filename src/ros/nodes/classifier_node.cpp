@@ -1,0 +1,168 @@
+#include "ros/nodes/classifier_node.h"
+
+#include <std_msgs/String.h>
+
+#include <algorithm>
+
+#include "contact_shapelets/ros/model_bag.h"
+#include "ros/messages/conversions.h"
+#include "ros/messages/text.h"
+#include "ros/messages/topics.h"
+
+namespace contact_shapelets {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+ClassifierNode::ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle)
+    : node_handle_(node_handle), private_node_handle_(private_node_handle) {
+  ReadParameters();
+  features_publisher_ = node_handle_.advertise<ShapeletFeatures>(topics::kFeatures, topics::kResultQueue);
+  diagnosis_publisher_ = node_handle_.advertise<contact_shapelets::Diagnosis>(topics::kDiagnosis, topics::kResultQueue);
+  event_publisher_ = node_handle_.advertise<std_msgs::String>(topics::kEvent, topics::kResultQueue);
+  LoadModelFile();
+
+  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
+  model_subscriber_ = node_handle_.subscribe(topics::kModel, 1, &ClassifierNode::OnModel, this);
+  episode_subscriber_ =
+      node_handle_.subscribe(topics::kEpisode, topics::kResultQueue, &ClassifierNode::OnEpisode, this, no_delay);
+  if (options_.early) {
+    progress_subscriber_ = node_handle_.subscribe(topics::kEpisodeProgress, topics::kProgressQueue,
+                                                  &ClassifierNode::OnProgress, this, no_delay);
+  }
+  name_service_ = private_node_handle_.advertiseService("name_cluster", &ClassifierNode::OnNameCluster, this);
+  updater_.setHardwareID("none");
+  updater_.add("model", this, &ClassifierNode::Report);
+  diagnostic_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0),
+                                                   [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+}
+
+void ClassifierNode::ReadParameters() {
+  ParameterReader reader(private_node_handle_);
+  options_ = ReadClassifierOptions(&reader);
+  LogParameters(reader);
+  parameter_faults_ = OneLine(reader.Faults());
+  options_.model = WholePath(options_.model);
+  if (parameter_faults_.empty()) return;
+  ROS_ERROR("Parameters out of range have their defaults instead: %s", parameter_faults_.c_str());
+  ClassifierOptions defaults;
+  defaults.model = options_.model;
+  options_ = defaults;
+}
+
+void ClassifierNode::LoadModelFile() {
+  if (options_.model.empty()) return;
+  try {
+    classifier_ = std::make_unique<core::Classifier>(LoadModel(options_.model));
+    ROS_INFO("Model %s out of %s", classifier_->model().id.c_str(), options_.model.c_str());
+  } catch (const std::exception& error) {
+    model_fault_ = OneLine(error.what());
+    ROS_ERROR("%s", model_fault_.c_str());
+  }
+}
+
+void ClassifierNode::OnModel(const ShapeletModel& message) {
+  if (classifier_ && classifier_->model().id == message.model_id) return TakeNames(message);
+  try {
+    classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
+    model_fault_.clear();
+    ROS_INFO("Model %s by topic", message.model_id.c_str());
+  } catch (const std::exception& error) {
+    model_fault_ = "a model by topic was refused: " + OneLine(error.what());
+    ROS_ERROR("%s", model_fault_.c_str());
+  }
+}
+
+void ClassifierNode::TakeNames(const ShapeletModel& message) {
+  model_fault_.clear();
+  const std::size_t count = std::min(message.cluster_labels.size(), classifier_->model().clusters.size());
+  for (std::size_t index = 0; index < count; ++index) {
+    // The trainer's latched model lacks the names that were given here since.
+    if (message.cluster_labels[index].empty() || !classifier_->model().clusters[index].label.empty()) continue;
+    classifier_->NameCluster(static_cast<int>(index), message.cluster_labels[index]);
+  }
+}
+
+void ClassifierNode::OnEpisode(const Episode& message) {
+  last_episode_ = message.episode_id;
+  Diagnose(message, true);
+}
+
+void ClassifierNode::OnProgress(const Episode& message) {
+  // It travels on a connection of its own, and may arrive after the end of its episode.
+  if (!classifier_ || message.episode_id == last_episode_) return;
+  const double duration = message.sample_period * static_cast<double>(message.force.size());
+  if (duration < options_.early_minimum * classifier_->model().provenance.typical_duration) return;
+  Diagnose(message, false);
+}
+
+void ClassifierNode::Diagnose(const Episode& message, bool final) {
+  if (!classifier_) {
+    ROS_ERROR_THROTTLE(10.0, "Episode %s is not diagnosed: there is no model", message.episode_id.c_str());
+    return;
+  }
+  try {
+    const core::Episode episode = FromMessage(message);
+    const core::Model& model = classifier_->model();
+    const core::Classification result = classifier_->Classify(episode, &feature_memory_);
+    diagnosis_publisher_.publish(DiagnosisMessage(episode, model, result.diagnosis, final));
+    if (!final) return;
+    std_msgs::String event;
+    event.data = result.diagnosis.event;
+    event_publisher_.publish(event);
+    features_publisher_.publish(FeaturesMessage(episode, model, result.features));
+    ++diagnosed_;
+    episode_fault_.clear();
+  } catch (const std::exception& error) {
+    ++refused_;
+    episode_fault_ = "episode " + message.episode_id + " is not diagnosed: " + OneLine(error.what());
+    ROS_ERROR_THROTTLE(1.0, "%s", episode_fault_.c_str());
+  }
+}
+
+bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::Response& response) {
+  try {
+    if (!classifier_) throw std::runtime_error("there is no model");
+    classifier_->NameCluster(request.cluster, request.label);
+    const std::string named = "cluster " + std::to_string(request.cluster) + " is " + request.label;
+    try {
+      response.message = named + ", " + SaveNames();
+      response.success = 1U;
+    } catch (const std::exception& error) {
+      throw std::runtime_error(named + " until this node ends, not saved: " + error.what());
+    }
+  } catch (const std::exception& error) {
+    response.message = OneLine(error.what());
+    ROS_ERROR("%s", response.message.c_str());
+  }
+  return true;
+}
+
+std::string ClassifierNode::SaveNames() {
+  if (options_.model.empty()) return "not saved: the model came by topic; give its file by ~model to save names";
+  // A training may have put another model there, which these names do not fit.
+  const std::string in_file = LoadModel(options_.model).id;
+  if (in_file != classifier_->model().id) return "not saved: " + options_.model + " holds another model, " + in_file;
+  SaveModel(options_.model, classifier_->model());
+  return "saved in " + options_.model;
+}
+
+void ClassifierNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  if (!parameter_faults_.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
+  } else if (!classifier_) {
+    status.summary(DiagnosticStatus::ERROR, model_fault_.empty() ? "no model yet" : model_fault_);
+  } else if (!model_fault_.empty() || !episode_fault_.empty()) {
+    status.summary(DiagnosticStatus::WARN, model_fault_.empty() ? episode_fault_ : model_fault_);
+  } else {
+    status.summary(DiagnosticStatus::OK, "model in use");
+  }
+  if (classifier_) {
+    status.add("model", classifier_->model().id);
+    status.add("shapelets", classifier_->model().shapelets.size());
+    status.add("clusters", classifier_->model().clusters.size());
+  }
+  status.add("episodes diagnosed", diagnosed_);
+  status.add("episodes refused", refused_);
+}
+
+}  // namespace contact_shapelets

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <contact_shapelets/Episode.h>
+#include <contact_shapelets/NameCluster.h>
+#include <contact_shapelets/ShapeletModel.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+
+#include <memory>
+#include <string>
+
+#include "contact_shapelets/core/classifier.h"
+#include "ros/parameters/parameters.h"
+
+namespace contact_shapelets {
+
+/// Diagnoses the episodes of one robot by a model from a file or a topic. Its callbacks share state without a lock:
+/// they need a queue that one thread serves.
+class ClassifierNode {
+ public:
+  /// Reads parameters from `private_node_handle` and loads the model. Where one of them is faulty, this is logged and
+  /// reported in /diagnostics; the node stays up and takes a model from the topic.
+  ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
+
+ private:
+  void ReadParameters();
+  void LoadModelFile();
+  void OnModel(const ShapeletModel& message);
+  void TakeNames(const ShapeletModel& message);
+  void OnEpisode(const Episode& message);
+  void OnProgress(const Episode& message);
+  void Diagnose(const Episode& message, bool final);
+  bool OnNameCluster(NameCluster::Request& request, NameCluster::Response& response);
+  std::string SaveNames();
+  void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle node_handle_;
+  ros::NodeHandle private_node_handle_;
+  ClassifierOptions options_;
+  core::FeatureMemory feature_memory_;
+  std::unique_ptr<core::Classifier> classifier_;  ///< none until there is a model
+  std::string last_episode_;                      ///< id of the last one that ended
+  std::string parameter_faults_;
+  std::string model_fault_;    ///< why there is no model, or why the last one was refused
+  std::string episode_fault_;  ///< why the last episode was refused; empty where it was not
+  int diagnosed_ = 0;
+  int refused_ = 0;
+
+  ros::Publisher features_publisher_;
+  ros::Publisher diagnosis_publisher_;
+  ros::Publisher event_publisher_;
+  ros::Subscriber episode_subscriber_;
+  ros::Subscriber progress_subscriber_;
+  ros::Subscriber model_subscriber_;
+  ros::ServiceServer name_service_;
+  ros::WallTimer diagnostic_timer_;
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace contact_shapelets

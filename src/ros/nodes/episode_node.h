@@ -1,0 +1,90 @@
+#pragma once
+
+#include <actionlib_msgs/GoalStatusArray.h>
+#include <contact_shapelets/EpisodeEvent.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <geometry_msgs/WrenchStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact_shapelets/core/wrench_stream.h"
+#include "ros/parameters/parameters.h"
+
+namespace contact_shapelets {
+
+/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share
+/// state without a lock: Run() calls them all.
+class EpisodeNode {
+ public:
+  /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A
+  /// parameter that is out of range is logged and reported in /diagnostics; the node then stays up without cutting
+  /// episodes.
+  EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
+
+  /// Serves the global queue and the wrench until the node is shut down. Wrenches are taken every few milliseconds, and
+  /// before whatever opens or closes an episode.
+  void Run();
+
+ private:
+  void ReadParameters();
+  void Advertise();
+  void Subscribe();
+
+  void TakeWrenches();
+  void OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event);
+  void OnActive(const std_msgs::Bool& active);
+  void OnEvent(const ros::MessageEvent<EpisodeEvent const>& event);
+  void OnStatus(const actionlib_msgs::GoalStatusArray& status);
+  bool OnStart(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool OnStop(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool OnTare(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool OnCommand(bool open, std_srvs::Trigger::Response* response);
+
+  void AddEdge(const std::function<void(core::Nanoseconds)>& add);
+  void AddEarlyEdges();
+  void LetTimePass();
+  void PublishNews();
+  void PublishProgress();
+  void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle node_handle_;
+  ros::NodeHandle private_node_handle_;
+  EpisodeOptions options_;
+  std::string parameter_faults_;
+  std::unique_ptr<core::WrenchStream> stream_;  ///< none while parameters are wrong
+  std::string frame_id_;
+  bool action_active_ = false;
+  int published_episodes_ = 0;
+  int idle_batches_ = 0;  ///< since the last wrench, up to where time is let pass
+  ros::SteadyTime last_wrench_ = ros::SteadyTime::now();
+  core::Nanoseconds last_arrival_ = 0;
+  std::int64_t jumps_back_ = 0;
+  std::deque<core::StreamSummary> laps_;            ///< from one diagnostics to the next
+  std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
+
+  ros::CallbackQueue wrench_queue_;
+  ros::Publisher episode_publisher_;
+  ros::Publisher progress_publisher_;
+  ros::Publisher event_publisher_;
+  ros::Subscriber wrench_subscriber_;
+  ros::Subscriber active_subscriber_;
+  ros::Subscriber event_subscriber_;
+  ros::Subscriber status_subscriber_;
+  ros::ServiceServer start_service_;
+  ros::ServiceServer stop_service_;
+  ros::ServiceServer tare_service_;
+  ros::WallTimer progress_timer_;
+  ros::WallTimer diagnostic_timer_;
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace contact_shapelets

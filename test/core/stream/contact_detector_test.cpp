@@ -1,0 +1,126 @@
+#include "core/stream/contact_detector.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "core/stream/wrench_signal.h"
+
+namespace contact_shapelets::core {
+namespace {
+
+using Changes = std::vector<ContactDetector::Change>;
+
+/// contact above 8 N for 5 ms, no contact below 4 N for 0.2 s, pre-trigger 0.5 s.
+SegmentationOptions Options() { return SegmentationOptions(); }
+
+Changes Play(ContactDetector* detector, const Signal& signal, double begin, double end, double rate = 1000.0) {
+  Changes changes;
+  const auto count = static_cast<int>(std::lround((end - begin) * rate));
+  for (int index = 0; index < count; ++index) {
+    const double time = begin + index / rate;
+    const auto change = detector->AddSample({Time(time), AlongZ(signal(time))});
+    if (change) changes.push_back(*change);
+  }
+  return changes;
+}
+
+/// `height` between the two times, else zero.
+Signal Pulse(double begin, double end, double height, double bias = 0.0) {
+  return [=](double time) { return bias + (time >= begin && time < end ? height : 0.0); };
+}
+
+TEST(ContactDetector, BeginsThePreTriggerTimeBeforeTheForceRises) {
+  ContactDetector detector(Options());
+  const Changes changes = Play(&detector, Pulse(2.0, 3.0, 20.0), 0.0, 2.5);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_TRUE(changes[0].contact);
+  EXPECT_EQ(changes[0].time, Time(1.5));
+}
+
+TEST(ContactDetector, EndsOnceTheForceWasLowForTheHoldOff) {
+  ContactDetector detector(Options());
+  const Changes changes = Play(&detector, Pulse(2.0, 3.0, 20.0), 0.0, 4.0);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_FALSE(changes[1].contact);
+  EXPECT_EQ(changes[1].time, Time(3.2));
+}
+
+TEST(ContactDetector, IgnoresAPeakShorterThanTheHoldOn) {
+  ContactDetector detector(Options());
+  EXPECT_TRUE(Play(&detector, Pulse(2.0, 2.004, 50.0), 0.0, 3.0).empty());
+}
+
+TEST(ContactDetector, BridgesALapseShorterThanTheHoldOff) {
+  ContactDetector detector(Options());
+  const auto signal = [](double time) { return time > 2.0 && time < 3.0 && (time < 2.4 || time > 2.55) ? 20.0 : 0.0; };
+  const Changes changes = Play(&detector, signal, 0.0, 4.0);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_GT(changes[1].time, Time(3.1));
+}
+
+TEST(ContactDetector, KeepsContactBetweenTheTwoThresholds) {
+  ContactDetector detector(Options());
+  const auto signal = [](double time) { return time < 2.0 ? 0.0 : time < 2.1 ? 20.0 : 6.0; };
+  EXPECT_EQ(Play(&detector, signal, 0.0, 10.0).size(), 1U);
+}
+
+TEST(ContactDetector, NeedsTheUpperThresholdToBegin) {
+  ContactDetector detector(Options());
+  EXPECT_TRUE(Play(&detector, Pulse(2.0, 3.0, 7.5), 0.0, 4.0).empty());
+}
+
+TEST(ContactDetector, MeasuresFromARunningBaseline) {
+  ContactDetector detector(Options());
+  // A drift of 1 N/s, far beyond the threshold in sum, and then a push.
+  const auto signal = [](double time) { return 30.0 + time + (time > 20.0 ? 15.0 : 0.0); };
+  const Changes changes = Play(&detector, signal, 0.0, 20.5, 200.0);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NEAR(1e-9 * static_cast<double>(changes[0].time), 19.5, 0.01);
+}
+
+TEST(ContactDetector, DoesNotLearnTheContactForceAsItsBaseline) {
+  ContactDetector detector(Options());
+  const Changes changes = Play(&detector, Pulse(2.0, 22.0, 20.0, 5.0), 0.0, 23.0);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[1].time, Time(22.2));
+}
+
+TEST(ContactDetector, SeesAForceOfAnyDirection) {
+  ContactDetector detector(Options());
+  EXPECT_EQ(Play(&detector, Pulse(2.0, 3.0, -20.0), 0.0, 4.0).size(), 2U);
+}
+
+TEST(ContactDetector, ALastingForceDoesNotTriggerAgainAfterTheEnd) {
+  ContactDetector detector(Options());
+  const Signal pulse = Pulse(2.0, 10.0, 20.0);
+  Play(&detector, pulse, 0.0, 3.0);
+  detector.EndContact();
+  EXPECT_TRUE(Play(&detector, pulse, 3.0, 9.0).empty());
+}
+
+TEST(ContactDetector, LettingGoAfterTheEndIsNoContact) {
+  ContactDetector detector(Options());
+  const Signal pulse = Pulse(2.0, 5.0, 20.0);
+  Play(&detector, pulse, 0.0, 3.0);
+  detector.EndContact();
+  EXPECT_TRUE(Play(&detector, pulse, 3.0, 9.0).empty());
+}
+
+TEST(ContactDetector, TriggersAgainOnceItWasLetGo) {
+  ContactDetector detector(Options());
+  Play(&detector, Pulse(2.0, 5.0, 20.0), 0.0, 3.0);
+  detector.EndContact();
+  Play(&detector, Pulse(2.0, 5.0, 20.0), 3.0, 6.0);
+  const Changes changes = Play(&detector, Pulse(6.0, 7.0, 20.0), 6.0, 8.0);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].time, Time(5.5));
+}
+
+TEST(ContactDetector, WorksAtALowRate) {
+  ContactDetector detector(Options());
+  EXPECT_EQ(Play(&detector, Pulse(2.0, 3.0, 20.0), 0.0, 4.0, 30.0).size(), 2U);
+}
+
+}  // namespace
+}  // namespace contact_shapelets::core

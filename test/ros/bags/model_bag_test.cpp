@@ -1,0 +1,210 @@
+#include "contact_shapelets/ros/model_bag.h"
+
+#include <rosbag/view.h>
+#include <sys/resource.h>
+#include <topic_tools/shape_shifter.h>
+
+#include <csignal>
+
+#include "ros/bags/bag_fixture.h"
+#include "ros/messages/conversions.h"
+
+namespace contact_shapelets {
+namespace {
+
+using ModelBagTest = BagTest;
+
+core::Model Trained(const std::string& id = "model_1") {
+  core::Model model;
+  model.id = id;
+  model.sample_period = 0.01;
+  model.flat_fraction = 0.3;
+  model.log_offset = 0.05;
+  model.shapelets = {{0, 1, Eigen::Vector3f(-1.224F, 1.0e-8F, 1.224F)},
+                     {2, 3, Eigen::Vector4f(1.0F, -1.0F, 1.0F, -1.0F)}};
+  model.clusters = {{Eigen::Vector2f(0.1F, -0.2F), 1.7F, 12, ""},
+                    {Eigen::Vector2f(1.0F / 3.0F, 0.4F), 0.9F, 30, "already_on"}};
+  model.provenance = {{"one.bag", "two.bag"}, "contrastive", {0.1, 1.0 / 3.0}, 0xFFFFFFFFFFFFFFFFULL, 42, 2.17};
+  return model;
+}
+
+/// One message of `type` with this MD5 on `model`.
+void WriteShape(const std::string& path, const std::string& md5, const std::string& type) {
+  topic_tools::ShapeShifter shape;
+  shape.morph(md5, type, "uint32 format_version\n", "");
+  rosbag::Bag(path, rosbag::bagmode::Write).write("model", ros::Time(1.0), shape);
+}
+
+void WriteMessages(const std::string& path, const std::vector<ShapeletModel>& messages) {
+  rosbag::Bag bag(path, rosbag::bagmode::Write);
+  for (const ShapeletModel& message : messages) bag.write("model", ros::Time(1.0), message);
+}
+
+TEST_F(ModelBagTest, ASavedModelIsLoadedToTheLastBit) {
+  const core::Model model = Trained();
+  SaveModel(Path("model.bag"), model);
+  const core::Model loaded = LoadModel(Path("model.bag"));
+  EXPECT_EQ(loaded.id, model.id);
+  EXPECT_EQ(loaded.sample_period, model.sample_period);
+  EXPECT_EQ(loaded.flat_fraction, model.flat_fraction);
+  EXPECT_EQ(loaded.log_offset, model.log_offset);
+  ASSERT_EQ(loaded.shapelets.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(loaded.shapelets[k].scale, model.shapelets[k].scale);
+    EXPECT_EQ(loaded.shapelets[k].dilation, model.shapelets[k].dilation);
+    EXPECT_EQ(loaded.shapelets[k].values, model.shapelets[k].values);
+  }
+  ASSERT_EQ(loaded.clusters.size(), 2U);
+  for (std::size_t cluster = 0; cluster < 2; ++cluster) {
+    EXPECT_EQ(loaded.clusters[cluster].centroid, model.clusters[cluster].centroid);
+    EXPECT_EQ(loaded.clusters[cluster].novelty_limit, model.clusters[cluster].novelty_limit);
+    EXPECT_EQ(loaded.clusters[cluster].size, model.clusters[cluster].size);
+    EXPECT_EQ(loaded.clusters[cluster].label, model.clusters[cluster].label);
+  }
+  EXPECT_EQ(loaded.provenance.sources, model.provenance.sources);
+  EXPECT_EQ(loaded.provenance.objective, model.provenance.objective);
+  EXPECT_EQ(loaded.provenance.selected_scales, model.provenance.selected_scales);
+  EXPECT_EQ(loaded.provenance.seed, model.provenance.seed);
+  EXPECT_EQ(loaded.provenance.training_episodes, model.provenance.training_episodes);
+  EXPECT_EQ(loaded.provenance.typical_duration, model.provenance.typical_duration);
+}
+
+TEST_F(ModelBagTest, IsABagWithOneModelOnItsTopic) {
+  SaveModel(Path("model.bag"), Trained());
+  rosbag::Bag bag(Path("model.bag"));
+  rosbag::View view(bag);
+  ASSERT_EQ(view.size(), 1U);
+  EXPECT_EQ(view.begin()->getTopic(), "model");
+  EXPECT_EQ(view.begin()->getDataType(), "contact_shapelets/ShapeletModel");
+}
+
+TEST_F(ModelBagTest, SavingReplacesTheOldModelAndLeavesNothingElse) {
+  SaveModel(Path("model.bag"), Trained("old"));
+  SaveModel(Path("model.bag"), Trained("new"));
+  EXPECT_EQ(LoadModel(Path("model.bag")).id, "new");
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST_F(ModelBagTest, ASaveThatRunsOutOfSpaceLeavesTheOldModelAndNoTemporary) {
+  SaveModel(Path("model.bag"), Trained("old"));
+  const std::string before = Contents(Path("model.bag"));
+  // A limit on the size of files stands for a full disk.
+  rlimit whole{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &whole), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{1024, whole.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
+  const std::string message = MessageOf([this] { SaveModel(Path("model.bag"), Trained("new")); });
+  setrlimit(RLIMIT_FSIZE, &whole);
+  std::signal(SIGXFSZ, handler);
+  ExpectWords(message, {Path("model.bag"), "cannot be written"});
+  EXPECT_EQ(Contents(Path("model.bag")), before);
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST_F(ModelBagTest, ASaveThatCannotReplaceItsTargetNamesItAndLeavesNoTemporary) {
+  std::filesystem::create_directory(folder_ / "model.bag");
+  Write(Path("model.bag/within"), "kept");
+  ExpectWords(MessageOf([this] { SaveModel(Path("model.bag"), Trained()); }), {Path("model.bag"), "cannot be written"});
+  EXPECT_EQ(Contents(Path("model.bag/within")), "kept");
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST_F(ModelBagTest, ASaveIntoAFolderThatIsNotThereNamesTheFile) {
+  ExpectWords(MessageOf([this] { SaveModel(Path("none/model.bag"), Trained()); }),
+              {Path("none/model.bag"), "cannot be written"});
+}
+
+TEST_F(ModelBagTest, RefusesAFileThatIsNotThere) {
+  ExpectWords(MessageOf([this] { LoadModel(Path("none.bag")); }), {Path("none.bag"), "ShapeletModel", "no such file"});
+}
+
+TEST_F(ModelBagTest, RefusesAFolder) {
+  ExpectWords(MessageOf([this] { LoadModel(folder_.string()); }), {folder_.string(), "ShapeletModel", "not a file"});
+}
+
+TEST_F(ModelBagTest, RefusesAnEmptyFile) {
+  Write(Path("model.bag"), "");
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "ShapeletModel", "is empty"});
+}
+
+TEST_F(ModelBagTest, RefusesAFileThatIsNotABag) {
+  Write(Path("model.bag"), "shapelets: [1, 2, 3]\nclusters: 3\n");
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "ShapeletModel"});
+}
+
+TEST_F(ModelBagTest, RefusesAModelThatWasCutOffAnywhere) {
+  SaveModel(Path("model.bag"), Trained());
+  const std::string whole = Contents(Path("model.bag"));
+  for (std::size_t length = 1; length < whole.size(); length += 97) {
+    Write(Path("cut.bag"), whole.substr(0, length));
+    ExpectWords(MessageOf([this] { LoadModel(Path("cut.bag")); }), {Path("cut.bag"), "ShapeletModel"});
+  }
+}
+
+TEST_F(ModelBagTest, RefusesAModelOfWhichAByteChanged) {
+  SaveModel(Path("model.bag"), Trained());
+  const std::string whole = Contents(Path("model.bag"));
+  const std::size_t chunk = whole.find("compression=lz4");
+  const std::size_t index = whole.find("chunk_pos=");
+  ASSERT_NE(chunk, std::string::npos);
+  ASSERT_NE(index, std::string::npos);
+  // Behind the chunk's header, which takes some 40 bytes, and before its index.
+  constexpr std::size_t kHeader = 60;
+  constexpr std::size_t kContents = 600;
+  ASSERT_GT(index, chunk + kHeader + kContents);
+  for (std::size_t place = chunk + kHeader; place < chunk + kHeader + kContents; place += 23) {
+    std::string changed = whole;
+    changed[place] = static_cast<char>(changed[place] ^ 0x10);
+    Write(Path("changed.bag"), changed);
+    ExpectWords(MessageOf([this] { LoadModel(Path("changed.bag")); }), {Path("changed.bag"), "ShapeletModel"});
+  }
+}
+
+TEST_F(ModelBagTest, RefusesABagWithoutAModel) {
+  BagWriter(Path("model.bag")).Outcome(0.0, "switched");
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "ShapeletModel", "holds 0"});
+}
+
+TEST_F(ModelBagTest, RefusesABagWithTwoModels) {
+  const ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  WriteMessages(Path("model.bag"), {message, message});
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "holds 2"});
+}
+
+TEST_F(ModelBagTest, RefusesAnotherVersionOfTheMessageByItsDigest) {
+  const std::string other = "0123456789abcdef0123456789abcdef";
+  WriteShape(Path("model.bag"), other, "contact_shapelets/ShapeletModel");
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }),
+              {Path("model.bag"), "another version", other, ros::message_traits::md5sum<ShapeletModel>()});
+}
+
+TEST_F(ModelBagTest, RefusesAnotherFormatVersion) {
+  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  message.format_version = 99;
+  WriteMessages(Path("model.bag"), {message});
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }),
+              {Path("model.bag"), "format version 99, expected 1"});
+}
+
+TEST_F(ModelBagTest, RefusesFaultyContentsAndNamesThem) {
+  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  message.sample_period = -1.0;
+  message.centroids[0].values.pop_back();
+  WriteMessages(Path("model.bag"), {message});
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }),
+              {Path("model.bag"), "the sample period is not in [0.0001, 1] s", "cluster 0 has 1 features"});
+}
+
+TEST_F(ModelBagTest, RefusesLabelsThatDoNotBelongToTheClusters) {
+  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  message.cluster_labels.pop_back();
+  WriteMessages(Path("model.bag"), {message});
+  ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "2 clusters, but 1 labels"});
+}
+
+}  // namespace
+}  // namespace contact_shapelets
