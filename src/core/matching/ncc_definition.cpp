@@ -6,7 +6,7 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// CC_w of equation 2, summed up term by term.
+/// CC_w of equation 2, term by term.
 double CrossCorrelation(const float* shapelet, const double* window, int length, int shift) {
   double sum = 0.0;
   for (int m = std::max(0, -shift); m < std::min(length, length - shift); ++m) {

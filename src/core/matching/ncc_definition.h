@@ -12,7 +12,7 @@
 /// z-normalised over their own M samples (population standard deviation). CC_w is the zero-padded cross-correlation at
 /// shift w in [-(M-1), M-1], divided by M:
 ///
-///     CC_w(s, t_j) = 1/M sum_m s^z[m] t_j^z[m + w],   terms outside of 0 <= m + w < M left out.
+///     CC_w(s, t_j) = 1/M sum_m s^z[m] t_j^z[m + w]   over all m with 0 <= m < M and 0 <= m + w < M.
 ///
 /// The best match is the largest CC_w over all windows j and shifts w.
 
@@ -20,13 +20,13 @@ namespace contact_shapelets::core {
 
 /// The best match of one shapelet within one series.
 struct Match {
-  float similarity = -1.0F;  ///< max_j max_w CC_w, in [-1, 1]; -1 where no window counts
-  std::int32_t window = -1;  ///< j of that maximum, 0 <= j < J; -1 where no window counts
+  float similarity = -1.0F;  ///< max_j max_w CC_w, in [-1, 1]; -1 if all windows are flat
+  std::int32_t window = -1;  ///< j of that maximum, 0 <= j < J; -1 if all windows are flat
   std::int32_t shift = 0;    ///< w of that maximum, -(M-1) <= w <= M-1
 };
 
-/// The definition, evaluated sum by sum in double precision: O(J M^2) per shapelet. For tests and as the benchmark's
-/// floor. Returns K matches. \throws std::invalid_argument where the lengths differ.
+/// Returns the K best matches by the definition, sum by sum in double precision: O(J M^2) per shapelet. Tests compare
+/// the kernel with it. \throws std::invalid_argument if the lengths differ.
 std::vector<Match> BestMatchesByDefinition(const WindowSet& windows, const ShapeletSet& shapelets);
 
 }  // namespace contact_shapelets::core

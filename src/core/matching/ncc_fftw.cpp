@@ -23,7 +23,7 @@ using Reals = std::unique_ptr<float[], FftwFree>;
 using Spectrum = std::unique_ptr<std::complex<float>[], FftwFree>;
 using Plan = std::unique_ptr<std::remove_pointer_t<fftwf_plan>, PlanDestroy>;
 
-/// FFTW's planner, alone of all its functions, shares state between threads.
+/// FFTW's planner is its only part that threads must not run at the same time.
 std::mutex& PlannerMutex() {
   static std::mutex mutex;
   return mutex;
@@ -40,7 +40,7 @@ Spectrum AllocateSpectrum(int bins) {
   return Spectrum(reinterpret_cast<std::complex<float>*>(fftwf_alloc_complex(static_cast<std::size_t>(bins))));
 }
 
-/// The smallest product of 2, 3 and 5 that is not below `least`: sizes that FFTW has fast transforms for.
+/// Returns the smallest number >= `least` without prime factors above 5. FFTW is fast at such sizes.
 int TransformSize(int least) {
   for (int size = least;; ++size) {
     int rest = size;
@@ -63,11 +63,11 @@ struct FftwMatcher::Plans {
   int size;
   int bins;
   Reals values;      ///< a window, then its correlation with a shapelet
-  Spectrum window;   ///< of the window
-  Spectrum product;  ///< of the correlation
+  Spectrum window;   ///< spectrum of the window
+  Spectrum product;  ///< spectrum of the correlation
   Plan forward;
   Plan backward;
-  std::vector<Spectrum> shapelets;  ///< conjugated, with all scale factors; empty where the shapelet is constant
+  std::vector<Spectrum> shapelets;  ///< conjugated, with all scale factors; null if the shapelet is constant
 };
 
 FftwMatcher::Plans::Plans(const ShapeletSet& set)
@@ -97,7 +97,7 @@ FftwMatcher::Plans::Plans(const ShapeletSet& set)
 }
 
 void FftwMatcher::Plans::Correlate(const std::complex<float>* shapelet) {
-  // Eigen's product, unlike that of std::complex, does not look for infinities.
+  // Eigen's product is faster than that of std::complex, which checks for infinities.
   using Bins = Eigen::Map<Eigen::ArrayXcf>;
   using ConstantBins = Eigen::Map<const Eigen::ArrayXcf>;
   Bins(product.get(), bins) = ConstantBins(window.get(), bins) * ConstantBins(shapelet, bins);
@@ -105,7 +105,7 @@ void FftwMatcher::Plans::Correlate(const std::complex<float>* shapelet) {
 }
 
 void FftwMatcher::Plans::Offer(int index, Match* match) const {
-  // Shift w is at index w, or size + w where it is negative.
+  // Shift w is at index w, or at size + w if it is negative.
   const Eigen::Map<const Eigen::ArrayXf> ahead(values.get(), length);
   const Eigen::Map<const Eigen::ArrayXf> behind(values.get() + size - (length - 1), length - 1);
   if (std::max(ahead.maxCoeff(), behind.maxCoeff()) <= match->similarity) return;

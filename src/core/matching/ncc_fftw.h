@@ -6,12 +6,12 @@
 #include "core/matching/ncc_definition.h"
 
 /// \file
-/// Normalised cross-correlation as the paper computes it, by FFT. Tests and benchmarks compare the kernel with it.
+/// Normalised cross-correlation by FFT, as the paper computes it. Tests and benchmarks compare the kernel with it.
 
 namespace contact_shapelets::core {
 
-/// The paper's formulation: one zero-padded cross-correlation by FFT per window, in planned single-precision FFTW, the
-/// shapelets' spectra computed once. O(J M log M) per shapelet.
+/// The paper's formulation: one zero-padded cross-correlation by FFT for each window. FFTW runs in single precision and
+/// by plan; the shapelets' spectra are computed once. O(J M log M) per shapelet.
 class FftwMatcher {
  public:
   /// Plans the transforms for `shapelets`.
@@ -20,8 +20,8 @@ class FftwMatcher {
   FftwMatcher(FftwMatcher&&) noexcept;
   FftwMatcher& operator=(FftwMatcher&&) noexcept;
 
-  /// Returns K matches. Not safe to call from two threads at the same time.
-  /// \throws std::invalid_argument where the lengths differ.
+  /// Returns K matches. Two threads must not call it at the same time.
+  /// \throws std::invalid_argument if the lengths differ.
   std::vector<Match> BestMatches(const WindowSet& windows);
 
  private:

@@ -14,22 +14,22 @@ namespace {
 
 using tile::kGroup;
 
-/// What a value must exceed the best by, so that rounding is not taken for a better match again and again.
+/// A value must exceed the best one by this much, so that rounding does not pass for a better match.
 constexpr float kMargin = 2e-6F;
-/// More than any value.
+/// Above every value.
 constexpr float kBeyond = 2.0F;
-/// What low values lag behind the best one by. With more of it fewer blocks are low, and for longer.
+/// Low values are at least this much below the best one. A greater lag makes fewer blocks low, and for longer.
 constexpr float kLag = 0.08F;
-/// What low values may be off by in single precision, with kMargin.
+/// Bound on the rounding error of low values in single precision, plus kMargin.
 constexpr float kSlack = 5e-5F;
-/// The loops compare with values above 0.
+/// Least value of a lowered threshold: the loops need thresholds above 0.
 constexpr float kLeast = 1e-3F;
 
 void GrowTo(int size, std::vector<float>* values) {
   if (values->size() < static_cast<std::size_t>(size)) values->resize(static_cast<std::size_t>(size));
 }
 
-/// CC_w of one window, by the definition, in double precision.
+/// CC_w of one window by the definition, in double precision.
 double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float* shapelet, int window, int shift) {
   const int length = windows.length();
   const double sum =
@@ -38,7 +38,7 @@ double Evaluate(const tile::Loops& loops, const WindowSet& windows, const float*
   return sum * windows.inverse_deviation()[window] / length;
 }
 
-/// The search in a stretch of windows.
+/// Searches stretches of windows, one after the other.
 class Search {
  public:
   Search(const tile::Loops& loops, const WindowSet& windows, const ShapeletSet& shapelets, SearchMemory::Arrays* memory,
@@ -50,7 +50,7 @@ class Search {
         memory_(*memory),
         matches_(*matches) {}
 
-  /// `hints` may be the matches that this search writes to.
+  /// Starts with the values of `hints`, which may be the matches that this search writes to.
   void TakeHints(const std::vector<Match>& hints) {
     for (int k = 0; k < static_cast<int>(hints.size()); ++k) {
       const Match hint = hints[k];
@@ -61,7 +61,7 @@ class Search {
     }
   }
 
-  /// Decides by the hints whose low blocks are to be noted anew.
+  /// Takes the low blocks of earlier searches. The hints decide which shapelets need theirs noted anew.
   void TakeLowBlocks(const ShapeletHistory& history, LowBlocks* low_blocks) {
     low_blocks_ = low_blocks;
     low_blocks->noted.resize(static_cast<std::size_t>(shapelets_.count()));
@@ -73,7 +73,7 @@ class Search {
     }
   }
 
-  /// Notes what the low values of this search were below: thresholds only rise in it.
+  /// Notes the bound on the low values of this search: its last threshold, because thresholds only rise.
   void FinishLowBlocks() {
     for (int k = 0; k < shapelets_.count(); ++k) {
       LowBlocks::Noted& noted = low_blocks_->noted[k];
@@ -106,16 +106,16 @@ class Search {
     if (value > matches_[k].similarity) matches_[k] = {value, window, shift};
   }
 
-  /// What a value of shapelet k must exceed: above 0, which the best match always is.
+  /// The value that a better match of shapelet k must exceed. It is above 0, as the best match always is.
   float Threshold(int k) const {
     if (k >= shapelets_.count() || prepared_.constant[k]) return kBeyond;
     return std::max(0.0F, matches_[k].similarity) + kMargin;
   }
 
-  /// What a value must exceed for not being low.
+  /// Values up to this are low.
   static float Lowered(float threshold) { return std::min(threshold, std::max(kLeast, threshold - kLag)); }
 
-  /// Takes the low blocks of a group in the next stretch, and clears those to be noted anew.
+  /// Takes the low blocks of a group in this stretch, and clears those that this search notes anew.
   void TakeLowBlocksOf(int group, const PreparedWindows& block) {
     const std::size_t size = static_cast<std::size_t>(kGroup) * block.all_tiles();
     std::vector<tile::BlockBits>& blocks = low_blocks_->blocks;
@@ -203,7 +203,7 @@ class Search {
     arguments->lowered[i] = (arguments->renewed >> i & 1U) != 0 ? Lowered(best) : best;
   }
 
-  /// Takes the best values of a tile's shapelets whose bit in `better` is set.
+  /// Takes the best values in a tile for the shapelets with a bit in `better`.
   void TakeTile(const PreparedWindows& block, int k, int direction, int tile, unsigned better,
                 tile::PartialArguments* arguments) {
     for (int i = 0; i < kGroup; ++i) {
@@ -223,12 +223,11 @@ class Search {
   const PreparedShapelets& prepared_;
   SearchMemory::Arrays& memory_;
   std::vector<Match>& matches_;
-  LowBlocks* low_blocks_ = nullptr;  ///< null where none are known and none are to be noted
-  std::size_t low_offset_ = 0;       ///< in these, of the next group
-  // Of the group that is searched, in its stretch.
-  unsigned renewed_ = 0;
-  tile::BlockBits* low_of_prefixes_ = nullptr;
-  tile::BlockBits* low_of_suffixes_ = nullptr;
+  LowBlocks* low_blocks_ = nullptr;             ///< null if this search neither knows nor notes low blocks
+  std::size_t low_offset_ = 0;                  ///< where the next group begins in LowBlocks::blocks
+  unsigned renewed_ = 0;                        ///< bits of the present group's shapelets that are noted anew
+  tile::BlockBits* low_of_prefixes_ = nullptr;  ///< of the present group and stretch, w > 0
+  tile::BlockBits* low_of_suffixes_ = nullptr;  ///< of the present group and stretch, w < 0
 };
 
 void CheckSizes(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints) {

@@ -13,10 +13,10 @@ namespace contact_shapelets::core {
 
 /// How the transform-free kernel searches.
 struct MatchOptions {
-  bool prune = true;  ///< skip what the energy bound shows cannot win; the result is the same
+  bool prune = true;  ///< skip overlaps that cannot win by the energy bounds; the result is the same
 };
 
-/// Memory that one search after the other works in. It grows to what the largest of them needed.
+/// Working memory of searches. It grows to what the largest search needs, and keeps that size.
 class SearchMemory {
  public:
   SearchMemory();
@@ -34,20 +34,20 @@ class SearchMemory {
 
 /// The transform-free kernel: O(Q M) per shapelet before pruning, exact to 1e-5 in single precision.
 ///
-/// `hints` is empty or holds K matches of an earlier, similar search (the previous training step): their similarity is
-/// evaluated first, so that the bound prunes from the start. Writes K matches to `matches`, which may be `hints`.
-/// Allocates nothing where `memory` and `matches` are large enough from a search before. Several threads may search at
-/// the same time, each with a memory and matches of its own.
-/// \throws std::invalid_argument where lengths or counts differ.
+/// `hints` is empty or holds the K matches of an earlier, similar search, such as the previous training step. The
+/// kernel evaluates them first, so that its bounds prune from the start. Writes K matches to `matches`, which may be
+/// `hints`. Allocates nothing if `memory` and `matches` are large enough from an earlier search. Several threads may
+/// search at the same time, each with its own memory and matches. \throws std::invalid_argument if lengths or counts
+/// differ.
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
                      const MatchOptions& options, SearchMemory* memory, std::vector<Match>* matches);
 
-/// The same in memory of its own.
+/// The same with its own memory.
 void FindBestMatches(const WindowSet& windows, const ShapeletSet& shapelets, const std::vector<Match>& hints,
                      const MatchOptions& options, std::vector<Match>* matches);
 
-/// The name of the widest vector instruction set that FindBestMatches uses on this machine, for reports: "avx512",
-/// "avx2", ...
+/// Returns the name of the widest vector instruction set that FindBestMatches() uses on this machine: "avx512", "avx2",
+/// ... For reports.
 const char* KernelInstructionSet();
 
 }  // namespace contact_shapelets::core

@@ -9,12 +9,11 @@ namespace {
 using tile::kGroup;
 using tile::kPadding;
 
-/// By Cauchy and Schwarz the rounding of a sum in single precision is at most some 6e-8 of the norm of the values near
-/// a window; where that is too much for the window's deviation, the window is summed up in double precision.
+/// A sum in single precision is rounded by at most some 6e-8 of the norm of the values near a window (Cauchy and
+/// Schwarz). If that norm is this many times the window's deviation, the window is searched in double precision.
 constexpr double kHardRatio = 150.0;
 
-/// Overlaps in a block. More blocks have closer bounds, and take longer to look at; there are tile::kBlocks at the
-/// most.
+/// Overlaps in a block. More blocks give closer bounds but take longer to look at. There are at most tile::kBlocks.
 int BlockSize(int length) { return std::max(std::clamp(length / 8, 4, 8), (length - 2) / tile::kBlocks + 1); }
 
 OverlapSide SideOf(const PreparedShapelets& prepared, const Eigen::Ref<const Eigen::MatrixXf>& normalised,
@@ -134,8 +133,8 @@ void PreparedWindows::FillBounds(const tile::Loops& loops, int block) {
   bounds_.assign(static_cast<std::size_t>(2 * all_tiles()), tile::Bounds{});
   SetMargins(kHeads, count_, 0.0F, 0.0F);
   SetMargins(kTails, count_, 0.0F, 0.0F);
-  // The sums are rounded to 6e-8 of themselves. By Cauchy and Schwarz, a product of a mean and a sum is under the
-  // squares' sum times the root of how often the window fits.
+  // The sums are rounded to 6e-8 of themselves. A product of a mean and a sum is at most the sum of all squares times
+  // the root of the number of windows that fit side by side (Cauchy and Schwarz).
   const float squares = Column(kSquares)[count_ + length_ - 1];
   tile::BoundArguments arguments{};
   arguments.sums = Column(kSums);

@@ -6,20 +6,20 @@
 #include "core/matching/ncc_tile.h"
 
 /// \file
-/// The transform-free search with its inner loops as an argument, so that each instruction set can be tested on one
-/// machine.
+/// The transform-free search with its inner loops as an argument, so that one machine can test each instruction set.
 
 namespace contact_shapelets::core {
 
-/// The inner loops that this machine can run, from what every machine of its architecture runs to the widest.
+/// Returns the inner loops that this machine can run, from those that every machine of its architecture can run to the
+/// widest.
 std::vector<tile::Loops> RunnableLoops();
 
-/// What a search leaves out of the partial overlaps in single precision (windows that need double precision are always
-/// pruned by energy). The result is the same.
+/// Which partial overlaps a search in single precision leaves out because they cannot win. The result is the same.
+/// Windows that need double precision are always pruned by energy.
 enum class Pruning {
-  kNone,
-  kByEnergy,  ///< what the shapelets' energies alone show that cannot win
-  kByBounds,  ///< what a table of the windows' energies shows, too
+  kNone,      ///< none
+  kByEnergy,  ///< those that the shapelets' energies rule out
+  kByBounds,  ///< also those that a table of the windows' energies rules out
 };
 
 /// FindBestMatches() with the given loops and pruning.

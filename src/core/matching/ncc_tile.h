@@ -1,156 +1,159 @@
 #pragma once
 
 /// \file
-/// The inner loops of the transform-free kernel, built once per instruction set. Plain pointers only: inline code of
-/// the standard library or of Eigen, built here with wide vectors, could end up in programs on machines without them.
+/// The inner loops of the transform-free kernel, built once for each instruction set. They use plain pointers only: the
+/// linker could pick an inline function of the standard library or of Eigen that was built here with wide vectors, and
+/// a machine without these could not run it.
 ///
-/// Loops go over tiles: neighbouring positions of the shapelet's first sample, of which a few vectors stay in registers
-/// while the overlap changes. Position p and an overlap of L samples belong to one window: p + L - M where the
-/// shapelet's first L samples overlap (w > 0), p + M - L where its last L do (w < 0). The second case is the first one
-/// mirrored, so both share their loops: `direction` is 1 or -1, and arrays by overlap begin at the end of the shapelet
-/// that always overlaps.
+/// The loops go over tiles. A tile is a few vectors of neighbouring positions of the shapelet's first sample, which
+/// stay in registers while the overlap changes. Position p and an overlap of L samples belong to one window: p + L - M
+/// if the shapelet's first L samples overlap (w > 0), p + M - L if its last L samples do (w < 0). The second case
+/// mirrors the first, so both share their loops: `direction` is 1 or -1, and arrays by overlap begin at the end of the
+/// shapelet that always overlaps. "Interleaved" arrays hold the values of the kGroup shapelets of a group side by side.
 
 namespace contact_shapelets::core::tile {
 
-/// Shapelets whose values are interleaved, sample by sample, and that share a pass of overlaps.
+/// Shapelets in a group. They are interleaved sample by sample and share a pass of overlaps.
 constexpr int kGroup = 4;
-/// Readable floats that arrays by position or window have before their first and behind their last used value, beside
-/// the length of a shapelet.
+/// Arrays by position or window have M + kPadding readable floats before their first and behind their last used value.
 constexpr int kPadding = 64;
-/// M sigma of a window that does not count: no sum exceeds it.
+/// M sigma of a window that does not count, because it is flat or needs double precision: no sum exceeds it.
 constexpr float kNever = 1e30F;
 
-/// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count,
-/// rounded up to whole tiles, and the largest sum times scale.
+/// Full overlaps of a group: sums[i stride + p] = sum_m shapelets[kGroup m + i] series[p + m] at 0 <= p < count, which
+/// is a whole number of tiles, and the largest sum times scale.
 struct FullArguments {
   const float* series;     ///< at position 0
   const float* shapelets;  ///< of the group
-  const float* scale;      ///< 1 / (M sigma) by window; 0 where a window does not count
+  const float* scale;      ///< 1 / (M sigma) by window; 0 if a window does not count
   float* sums;
-  float* largest;  ///< sum in each tile, at least 0: largest[kGroup tile + i]. Where no window of a tile counts, `sums`
-                   ///< are left out, largest[kGroup tile] is -1, and the others are unset
-  bool with_largest;  ///< else largest[kGroup tile] alone is set: to 0 where a window of the tile counts
+  float* largest;     ///< largest sum in each tile, at least 0, at kGroup tile + i. If no window of a tile counts, the
+                      ///< loops set largest[kGroup tile] to -1 and leave out the others and `sums`
+  bool with_largest;  ///< if false, the loops set largest[kGroup tile] alone: to 0 if a window of the tile counts
   int length;
   int count;
   int stride;
 };
+/// The largest value of each shapelet over all windows.
 struct FullResult {
-  float most[kGroup];    ///< at least 0
-  int position[kGroup];  ///< of `most`; -1 where it is 0
+  float most[kGroup];    ///< sum times scale, at least 0
+  int position[kGroup];  ///< where it is; -1 if it is 0
 };
 
-/// Blocks that the M - 1 partial overlaps are divided into at the most, for bounds that all in a block share.
+/// Greatest number of blocks that the M - 1 partial overlaps are divided into. All overlaps of a block share a bound.
 constexpr int kBlocks = 16;
-/// A bit for each of them.
+/// A bit for each block.
 using BlockBits = unsigned short;
-/// What bounds the values of a tile in each block of overlaps: the largest ones of all windows that these reach. Zeros
-/// where there is no block.
+/// Bounds on the values of a tile in each block of overlaps: the largest of all windows that the block reaches. Zeros
+/// if there is no such block.
 struct Bounds {
-  float head[kBlocks];  ///< part of a window's energy within the overlap, [0, 1]
-  float
-      tail[kBlocks];  ///< energy, about the window's mean, of what the shapelet's other samples fall on, over M sigma^2
-  float scale[kBlocks];  ///< 1 / (M sigma)
+  /// Part of a window's energy within the overlap, [0, 1].
+  float head[kBlocks];
+  /// Energy, about the window's mean, of the samples under the rest of the shapelet, divided by M sigma^2.
+  float tail[kBlocks];
+  /// 1 / (M sigma).
+  float scale[kBlocks];
 };
-/// The same of a shapelet.
+/// The same for a shapelet.
 struct Energies {
-  float head[kBlocks];  ///< the largest part of its energy within the overlap, [0, 1]
-  float tail[kBlocks];  ///< the largest part without
+  float head[kBlocks];  ///< largest part of its energy within the overlap, [0, 1]
+  float tail[kBlocks];  ///< largest part of its energy outside of the overlap, [0, 1]
 };
 
 /// Partial overlaps of a group of shapelets.
 struct PartialArguments {
-  const float* values;       ///< by overlap from 1: what the overlap's last sample multiplies, interleaved as the group
-  const float* within;       ///< by overlap from 0: the sum of the shapelet's values within, interleaved
-  const float* energy;       ///< by overlap from 0: the part of the shapelet's energy within, interleaved
+  const float* values;       ///< by overlap from 1: the shapelet's value at the overlap's last sample, interleaved
+  const float* within;       ///< by overlap from 0: sum of the shapelet's values within it, interleaved
+  const float* energy;       ///< by overlap from 0: part of the shapelet's energy within it, interleaved
   const float* samples;      ///< of the series: the overlap's last sample at position 0 and overlap 1
   const float* mean;         ///< mu of the window of position 0 and overlap 0
-  const float* spread;       ///< M sigma of that window; huge where a window does not count
-  const float* scale;        ///< 1 / (M sigma) of that window; 0 where a window does not count
+  const float* spread;       ///< M sigma of that window; kNever if a window does not count
+  const float* scale;        ///< 1 / (M sigma) of that window; 0 if a window does not count
   const float* sums;         ///< full overlaps at position 0
-  const float* largest;      ///< full overlap by tile, interleaved; -1 where a tile has none
-  const Energies* energies;  ///< of the shapelets
-  const Bounds* bounds;      ///< by tile; none where `energy` alone is to prune
-  BlockBits* low;            ///< by tile, interleaved: blocks to be left out, which hold nothing better; null for none
-  bool prune;                ///< else all overlaps are searched, and `bounds` are left out
+  const float* largest;      ///< largest full overlap by tile, interleaved; -1 if a tile has none
+  const Energies* energies;  ///< by shapelet of the group
+  const Bounds* bounds;      ///< by tile; null if `energy` alone prunes
+  BlockBits* low;            ///< by tile, interleaved: blocks that hold nothing better and are skipped; null for none
+  bool prune;                ///< if false, all overlaps are searched; then `bounds` are null
   int length;                ///< M
-  int windows;               ///< in the stretch
+  int windows;               ///< windows in the stretch
   int count;                 ///< shapelets in the group
   int block;                 ///< overlaps in a block: block b has those from b block + 1 to (b + 1) block
-  int direction;
-  int stride;             ///< between the shapelets in `sums`
-  int full_tiles;         ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
-  float best[kGroup];     ///< what a value must exceed, above 0; more than 1 for a shapelet that does not count
-  unsigned renewed;       ///< bits of the shapelets whose searched blocks are added to `low` where all values are low
-  float lowered[kGroup];  ///< what no low value exceeds, above 0 and at most `best`; `best` where not to be renewed
+  int direction;             ///< 1 for w > 0, -1 for w < 0
+  int stride;                ///< floats from one shapelet to the next in `sums`
+  int full_tiles;            ///< tiles 0 ... full_tiles - 1 have their full overlaps in `sums`
+  float best[kGroup];        ///< threshold that a better value exceeds, above 0; above 1 if a shapelet does not count
+  unsigned renewed;          ///< bits of the shapelets that are noted anew: the loops add their low blocks to `low`
+  float lowered[kGroup];     ///< threshold of low values, above 0 and at most `best`; `best` without a bit in `renewed`
 };
-/// A value, and where it is.
+/// A value and where it is.
 struct TileResult {
   float value;
   int position;
   int overlap;
 };
 
-/// Windows in the form that the loops take; arrays by window begin at the first one of the stretch.
+/// Prepares windows for the loops. Arrays by window begin at the first window of the stretch.
 struct WindowArguments {
   const double* mean;     ///< mu
-  const double* inverse;  ///< 1 / sigma; 0 where a window does not count
-  const float* squares;   ///< by q, the sum of the squares of the first q samples
-  double centre;          ///< what the series was centred by
-  double hard_ratio;      ///< energy near a window over its variance that is too much for single precision
+  const double* inverse;  ///< 1 / sigma; 0 if a window is flat
+  const float* squares;   ///< by q: sum of the squares of the first q samples
+  double centre;          ///< mean that was subtracted from the series
+  double hard_ratio;      ///< a window with more energy near it than this times sigma^2 needs double precision
   int length;             ///< M
-  int count;              ///< windows
-  float* centred_mean;    ///< to be filled where a window counts and is not hard, as `spread` and `scale` are
-  float* spread;          ///< M sigma; `kNever` elsewhere
-  float* scale;           ///< 1 / (M sigma)
+  int count;              ///< number of windows
+  float* centred_mean;    ///< result: mu - centre; 0 if a window does not count
+  float* spread;          ///< result: M sigma; kNever if a window does not count
+  float* scale;           ///< result: 1 / (M sigma); 0 if a window does not count
 };
 
-/// What makes the table of bounds: sums over the first q samples of a series, and the windows.
+/// Makes the table of bounds from sums over the first q samples of a series and from the windows.
 struct BoundArguments {
-  const float* sums;     ///< of the values, by q
-  const float* squares;  ///< of their squares, by q
+  const float* sums;     ///< by q: sum of the first q values
+  const float* squares;  ///< by q: sum of their squares
   const float* mean;     ///< mu by window
-  const float* scale;    ///< 1 / (M sigma) by window; 0 where a window does not count
-  float rounding;        ///< what these sums may be off by, in the unit of the squares
+  const float* scale;    ///< 1 / (M sigma) by window; 0 if a window does not count
+  float rounding;        ///< bound on the rounding error of these sums, in the unit of the squares
   int length;            ///< M
   int block;             ///< overlaps in a block
-  int count;             ///< windows
-  int further_tiles;     ///< tiles before position 0 and behind the last window's
-  int tiles;             ///< with these
-  float* heads;          ///< scratch by window, zeros beyond the windows, as far as the bounds reach
-  float* tails;          ///< the same
-  float* energy_scale;   ///< scratch by window, without such zeros
-  float* before_window;  ///< the same
-  float* to_window_end;  ///< the same
-  Bounds* prefix;        ///< by tile, from the first one: overlaps of the shapelet's first samples, w > 0
-  Bounds* suffix;        ///< the same of its last samples
+  int count;             ///< number of windows
+  int further_tiles;     ///< tiles on either side of those that hold the windows' positions
+  int tiles;             ///< all tiles
+  float* heads;          ///< scratch by window, with zeros on either side as far as the bounds reach
+  float* tails;          ///< as `heads`
+  float* energy_scale;   ///< scratch by window, without zeros on either side
+  float* before_window;  ///< as `energy_scale`
+  float* to_window_end;  ///< as `energy_scale`
+  Bounds* prefix;        ///< result by tile, from the first: overlaps of the shapelet's first samples, w > 0
+  Bounds* suffix;        ///< result by tile, from the first: overlaps of its last samples, w < 0
 };
 
 /// The loops for one instruction set.
 struct Loops {
   const char* name;
-  int positions;    ///< in a tile
-  int vector_bits;  ///< of a vector
+  int positions;    ///< positions in a tile
+  int vector_bits;  ///< bits in a vector
   void (*full_overlaps)(const FullArguments& arguments, FullResult* result);
-  /// The first tile of tile ... end - 1 in which a shapelet of the group exceeds its `best`, and a bit in `better` for
-  /// each that does; `end` where there is none.
+  /// Returns the first tile of tile ... end - 1 in which a shapelet of the group exceeds its `best`, and sets a bit of
+  /// `better` for each that does. Returns `end` if there is none.
   int (*find_better)(const PartialArguments& arguments, int tile, int end, unsigned* better);
-  /// The largest value of one shapelet of the group in a tile, among those that the bounds leave.
+  /// Finds the largest value of one shapelet of the group in a tile, among the overlaps that the bounds leave.
   void (*most_in_tile)(const PartialArguments& arguments, int shapelet, int tile, TileResult* result);
-  /// sum (t_m - mean) s_m over `count` samples, in double precision.
+  /// Returns sum (t_m - mean) s_m over `count` samples, in double precision.
   double (*correlation)(const float* shapelet, const float* samples, double mean, int count);
-  /// Returns how many windows are hard: these are left out, and so are those that do not count.
+  /// Returns how many windows need double precision. These and flat windows do not count.
   int (*window_values)(const WindowArguments& arguments);
   void (*all_bounds)(const BoundArguments& arguments);
 };
 
-/// What every machine of this architecture runs.
+/// Loops for every machine of this architecture.
 Loops BaselineLoops();
 #if defined(__x86_64__)
-/// For machines with AVX2 and FMA.
+/// Loops for machines with AVX2 and FMA.
 Loops Avx2Loops();
-/// For machines with AVX-512 F, VL, DQ and BW: its registers in half their width.
+/// Loops for machines with AVX-512 F, VL, DQ and BW, with vectors of 256 bits.
 Loops Avx512HalfLoops();
-/// The same in full.
+/// Loops for the same machines with vectors of 512 bits.
 Loops Avx512Loops();
 #endif
 

@@ -6,13 +6,13 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Multiply-adds of full overlaps under which a search has vectors of 256 bits at the most. After a while without them,
-/// those of 512 bits may take some 2 microseconds to be at full speed, and they save a search as small as this a few
-/// tenths of a microsecond.
+/// A search with fewer multiply-adds of full overlaps than this uses vectors of at most 256 bits. A processor that has
+/// not used vectors of 512 bits for a while may take some 2 microseconds to run them at full speed, but they save such
+/// a small search only a few tenths of a microsecond.
 constexpr std::int64_t kSmallSearch = 50000;
 
-/// Samples of all shapelets together from which on the table of the windows' energies, which is made once for all of
-/// them, takes less time than it saves.
+/// From this many samples of all shapelets together on, the table of the windows' energies saves more time than it
+/// takes to make.
 constexpr int kSamplesForBounds = 650;
 
 Pruning BestPruning(const ShapeletSet& shapelets, const MatchOptions& options) {

@@ -1,113 +1,32 @@
 #pragma once
 
 #include "core/matching/ncc_tile.h"
+#include "core/matching/ncc_tile_full.h"
 #include "core/matching/ncc_tile_open.h"
 #include "core/matching/ncc_tile_prepare.h"
 #include "core/matching/ncc_tile_vector.h"
 
-// Everything is in an unnamed namespace, since each instruction set has a copy of its own.
+// Everything is in an unnamed namespace because each instruction set has its own copy.
 
 namespace contact_shapelets::core::tile {
 namespace {
 
-/// `Lanes` floats that one instruction works on, and vectors of them per shapelet in registers.
+/// The loops for vectors of `Lanes` floats. A tile has `Vectors` of them.
 template <int Lanes, int Vectors>
 struct TileLoops {
   using Of = VectorOf<Lanes>;
   using Vector = typename Of::Floats;
   using Integers = typename Of::Integers;
   static constexpr int kPositions = Lanes * Vectors;
-#if defined(__AVX512VL__)
-  static constexpr bool kManyRegisters = true;
-#else
-  static constexpr bool kManyRegisters = false;
-#endif
-  /// Tiles that share a pass of full overlaps: as many as the registers hold.
-  static constexpr int kFullTiles = kManyRegisters ? 2 : 1;
   /// Shapelets that share a pass of partial overlaps: as many as the registers hold.
-  static constexpr int kTogether = kManyRegisters ? 4 : 2;
-  /// A full overlap that may be anything.
+  static constexpr int kTogether = Of::kManyRegisters ? 4 : 2;
+  /// Stands for a full overlap that is not known.
   static constexpr float kUnknown = 1e30F;
   static_assert(2 * kPositions <= kPadding, "tiles reach beyond the padding");
 
   static Vector Load(const float* from) { return Of::template Load<Vector>(from); }
 
-  static bool AnyCounts(const float* scale) {
-    Vector largest = Load(scale);
-    for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, Load(scale + v * Lanes));
-    return Of::Signs(largest > 0.0F) != 0;
-  }
-
-  /// The largest full overlaps of a group over all windows so far, lane by lane.
-  struct Most {
-    Vector value[kGroup];
-    Integers position[kGroup];
-  };
-
-  /// Full overlaps of `Tiles` tiles from `position` on, whose windows count.
-  template <int Tiles>
-  static void FullTiles(const FullArguments& arguments, int position, Most* most) {
-    constexpr int kVectors = Tiles * Vectors;
-    Vector sum[kGroup][kVectors] = {};
-    for (int m = 0; m < arguments.length; ++m) {
-      Vector values[kGroup];
-      for (int i = 0; i < kGroup; ++i) values[i] = Of::Spread(arguments.shapelets[kGroup * m + i]);
-#pragma GCC unroll 4
-      for (int v = 0; v < kVectors; ++v) {
-        const Vector samples = Of::LoadOnce(arguments.series + position + m + v * Lanes);
-        for (int i = 0; i < kGroup; ++i) sum[i][v] += values[i] * samples;
-      }
-    }
-#pragma GCC unroll 4
-    for (int v = 0; v < kVectors; ++v) {
-      const Vector scale = Load(arguments.scale + position + v * Lanes);
-      for (int i = 0; i < kGroup; ++i) {
-        Of::Store(arguments.sums + i * arguments.stride + position + v * Lanes, sum[i][v]);
-        const Vector value = sum[i][v] * scale;
-        const Integers greater = value > most->value[i];
-        most->value[i] = greater ? value : most->value[i];
-        most->position[i] = greater ? Integers{} + (position + v * Lanes) : most->position[i];
-      }
-    }
-    for (int tile = 0; tile < Tiles; ++tile) {
-      arguments.largest[(position / kPositions + tile) * kGroup] = 0.0F;
-      for (int i = 0; arguments.with_largest && i < kGroup; ++i) {
-        Vector largest = sum[i][tile * Vectors];
-        for (int v = 1; v < Vectors; ++v) largest = Of::Larger(largest, sum[i][tile * Vectors + v]);
-        const float value = Of::Largest(largest);
-        arguments.largest[(position / kPositions + tile) * kGroup + i] = value > 0.0F ? value : 0.0F;
-      }
-    }
-  }
-
-  static void FullOverlaps(const FullArguments& arguments, FullResult* result) {
-    Most most;
-    for (int i = 0; i < kGroup; ++i) most.value[i] = Vector{}, most.position[i] = Integers{};
-    for (int position = 0; position < arguments.count; position += kPositions) {
-      if (!AnyCounts(arguments.scale + position)) {
-        arguments.largest[position / kPositions * kGroup] = -1.0F;
-        continue;
-      }
-      const int next = position + kPositions;
-      if (kFullTiles == 2 && next < arguments.count && AnyCounts(arguments.scale + next)) {
-        FullTiles<kFullTiles>(arguments, position, &most);
-        position = next;
-      } else {
-        FullTiles<1>(arguments, position, &most);
-      }
-    }
-    for (int i = 0; i < kGroup; ++i) {
-      result->most[i] = Of::Largest(most.value[i]);
-      result->position[i] = -1;
-      if (result->most[i] <= 0.0F) continue;
-      const int lane = __builtin_ctz(Of::Signs(most.value[i] == result->most[i]));
-      int positions[Lanes];
-      Of::Store(positions, most.position[i]);
-      result->position[i] = positions[lane] + lane;
-    }
-  }
-
-  /// Overlaps low ... high; none where low > high.
+  /// Overlaps low ... high; none if low > high.
   struct Range {
     int low;
     int high;
@@ -117,9 +36,10 @@ struct TileLoops {
     return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
-  /// A bit for each block of overlaps of a tile in which a shapelet can exceed its best. By Cauchy and Schwarz, the
-  /// value is at most the root of the energies of both within the overlap; and it differs from the full overlap at the
-  /// same position, measured by the same window, at most by the root of the energies of both without.
+  /// Returns a bit for each block of overlaps of a tile in which a shapelet can exceed its best. Two bounds by Cauchy
+  /// and Schwarz decide, both the root of the product of shapelet's and window's energy. Within the overlap it bounds
+  /// the value. Outside of the overlap it bounds how far the value is from the full overlap at the same position, taken
+  /// with the same window's mean and deviation.
   static unsigned UsefulBlocks(const PartialArguments& arguments, int shapelet, int tile, bool has_full) {
     const Bounds& bounds = arguments.bounds[tile];
     const Energies& energies = arguments.energies[shapelet];
@@ -130,7 +50,7 @@ struct TileLoops {
       const Vector head = Load(energies.head + block) * Load(bounds.head + block) - best * best;
       const Vector rest = best - full * Load(bounds.scale + block);
       const Vector tail = Of::Larger(Load(energies.tail + block) * Load(bounds.tail + block) - rest * rest, -rest);
-      // The sign of the smaller one says that one of the bounds is below the best.
+      // The smaller one is negative if one of the bounds is below the best.
       useless |= Of::Signs((Integers)(head < tail ? head : tail)) << block;
     }
     return ~useless & ((1U << kBlocks) - 1U);
@@ -141,7 +61,7 @@ struct TileLoops {
     return {__builtin_ctz(blocks) * arguments.block + 1, last < arguments.length ? last : arguments.length - 1};
   }
 
-  /// The overlaps within which so much of a shapelet's energy lies that it can exceed its best, whatever the window.
+  /// Returns the overlaps that hold so much of a shapelet's energy that it can exceed its best, whatever the window.
   static Range OverlapsByEnergy(const PartialArguments& arguments, int shapelet) {
     if (!arguments.prune) return {1, arguments.length - 1};
     const float least = arguments.best[shapelet] * arguments.best[shapelet];
@@ -150,7 +70,7 @@ struct TileLoops {
     return {low, arguments.length - 1};
   }
 
-  /// Those overlaps of the range by which the tile's positions reach a window.
+  /// Returns the overlaps of `range` at which a position of the tile belongs to a window of the stretch.
   static Range Reaching(const PartialArguments& arguments, int tile, Range range) {
     const int first = tile * kPositions;
     const int last = first + kPositions - 1;
@@ -160,14 +80,14 @@ struct TileLoops {
     return {low > range.low ? low : range.low, high < range.high ? high : range.high};
   }
 
-  /// Some shapelets of a group, by their index in it.
+  /// Some shapelets of a group by their index in it.
   template <int Count>
   struct Members {
     int index[Count];
   };
 
-  /// Sums of `Count` shapelets at an overlap that changes by one sample at a time. They are kept with their sign
-  /// turned: what is tested is best M sigma + mu S - A, and each of its steps is then one instruction.
+  /// Sums of `Count` shapelets at an overlap that changes by one sample at a time. Their signs are turned, because the
+  /// loops test best M sigma + mu S - A: each step of it is then one instruction.
   template <int Count>
   struct Sums {
     Vector turned[Count][Vectors];
@@ -187,19 +107,19 @@ struct TileLoops {
     }
   };
 
-  /// True where a walk down from the full overlaps takes fewer steps than one up.
+  /// Returns true if a walk down from the full overlaps takes fewer steps than a walk up.
   static bool FromFullOverlaps(const PartialArguments& arguments, int tile, Range range) {
     return HasFullOverlaps(arguments, tile) && arguments.length - range.high < range.low;
   }
 
-  /// Calls `evaluate` at every overlap of the range, in the direction that takes fewer steps to reach it.
+  /// Calls `evaluate` at every overlap of the range, in the direction that takes fewer steps.
   template <int Count, typename Evaluate>
   static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
                    Evaluate evaluate) {
     Walk<Count>(arguments, members, tile, range, FromFullOverlaps(arguments, tile, range), evaluate);
   }
 
-  /// The same beginning with the full overlaps, or with the least one.
+  /// The same from the full overlaps down, or from an overlap of one sample up.
   template <int Count, typename Evaluate>
   static void Walk(const PartialArguments& arguments, const Members<Count>& members, int tile, Range range,
                    bool from_full, Evaluate evaluate) {
@@ -229,8 +149,8 @@ struct TileLoops {
     }
   }
 
-  /// A bit for each shapelet of the group that exceeds its value in `least`. The sign of least M sigma - (A - mu S)
-  /// tells: signs are collected by an OR, which leaves the units that multiply and add to the sums.
+  /// Returns a bit for each shapelet of the group that exceeds its value in `least`: least M sigma - (A - mu S) is then
+  /// negative. An OR collects the signs, so that the units that multiply and add are free for the sums.
   template <int Count>
   static unsigned AnyBetter(const PartialArguments& arguments, const Members<Count>& members, const float* least,
                             int tile, Range range, bool from_full) {
@@ -254,7 +174,7 @@ struct TileLoops {
     return better;
   }
 
-  /// AnyBetter() of the `Count` shapelets from `member` on, over all overlaps that are useful to one of them.
+  /// AnyBetter() for the `Count` shapelets from `member` on, from the least to the greatest overlap of their ranges.
   template <int Count>
   static unsigned AnyOfThese(const PartialArguments& arguments, const int* member, const Range* ranges, int tile) {
     Members<Count> members;
@@ -269,7 +189,7 @@ struct TileLoops {
     return AnyBetter<Count>(arguments, members, arguments.best, tile, all, FromFullOverlaps(arguments, tile, all));
   }
 
-  /// The shapelets of a group that are useful in a tile, by their index in it, and their overlaps.
+  /// The shapelets of a group that can exceed their best in a tile, by their index in it, and their overlaps.
   struct Useful {
     int members[kGroup];
     Range ranges[kGroup];
@@ -298,7 +218,7 @@ struct TileLoops {
     return better;
   }
 
-  /// FindBetter() where shapelets' energies alone prune: the same shapelets and overlaps are useful in all tiles.
+  /// FindBetter() if the shapelets' energies alone prune: all tiles have the same useful shapelets and overlaps.
   static int FindBetterByEnergy(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     Useful useful;
     for (int i = 0; i < arguments.count; ++i) {
@@ -363,7 +283,7 @@ struct TileLoops {
     }
   }
 
-  /// CC_w M sigma of one window, by the definition.
+  /// Returns CC_w M sigma of one window by the definition.
   static double Correlation(const float* shapelet, const float* samples, double mean, int count) {
     typename Of::Doubles sum = {};
     int m = 0;
@@ -381,11 +301,12 @@ struct TileLoops {
   }
 
   static Loops All(const char* name) {
+    using Full = FullLoops<Lanes, Vectors>;
     using Prepare = PreparationLoops<Lanes, Vectors>;
     return {name,
             kPositions,
             32 * Lanes,
-            FullOverlaps,
+            Full::FullOverlaps,
             FindBetter,
             MostInTile,
             Correlation,

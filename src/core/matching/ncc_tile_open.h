@@ -3,23 +3,23 @@
 #include "core/matching/ncc_tile.h"
 
 /// \file
-/// The search of a tile's open blocks: those of partial overlaps that are not known to be low.
+/// The search of a tile's open blocks: the blocks of partial overlaps that are not known to be low.
 
 namespace contact_shapelets::core::tile {
 namespace {
 
-/// For the loops of ncc_tile_loops.h.
+/// Searches with the loops of `Tile`, a TileLoops.
 template <typename Tile>
 struct OpenLoops {
   using Range = typename Tile::Range;
   using Useful = typename Tile::Useful;
 
-  /// Some shapelets of a group that are searched together.
+  /// Shapelets of a group that share a search.
   struct Searched {
     int members[kGroup];
     int count = 0;
-    unsigned blocks = 0;     ///< open to one of them
-    bool from_full = false;  ///< where sums begin
+    unsigned blocks = 0;     ///< blocks that are open to one of them
+    bool from_full = false;  ///< whether sums begin with the full overlaps
 
     void Add(int member, unsigned open) {
       members[count++] = member;
@@ -27,7 +27,7 @@ struct OpenLoops {
     }
   };
 
-  /// Tile::AnyBetter() in the open blocks.
+  /// Tile::AnyBetter() over the open blocks.
   static unsigned AnyBetter(const PartialArguments& arguments, const Searched& searched, const float* least, int tile) {
     const Range range = Tile::OverlapsOf(arguments, searched.blocks);
     const int* members = searched.members;
@@ -49,7 +49,7 @@ struct OpenLoops {
     return 0;
   }
 
-  /// Notes for those to be renewed in which blocks they are low. A bit for each that exceeds its best.
+  /// Returns a bit for each shapelet that exceeds its best. Notes low blocks of the shapelets in `renewed`.
   static unsigned Search(const PartialArguments& arguments, const Searched& searched, int tile) {
     const unsigned lowered = AnyBetter(arguments, searched, arguments.lowered, tile);
     if (arguments.renewed == 0) return lowered;
@@ -69,7 +69,8 @@ struct OpenLoops {
     return close.count == 0 ? others : others | AnyBetter(arguments, close, arguments.best, tile);
   }
 
-  /// Sums begin where they would if all blocks were open, so that their rounding is the same.
+  /// Searches the open blocks of the useful shapelets. Sums begin where they would if all blocks were open, so that
+  /// they round alike.
   static unsigned SearchUseful(const PartialArguments& arguments, const Useful& useful, int tile,
                                const unsigned* open) {
     unsigned better = 0;
@@ -90,7 +91,7 @@ struct OpenLoops {
     return better;
   }
 
-  /// Finds what the search of all blocks finds.
+  /// Returns what TileLoops::FindBetter() returns without low blocks.
   static int FindBetter(const PartialArguments& arguments, int tile, int end, unsigned* better) {
     for (; tile < end; ++tile) {
       const bool has_full = Tile::HasFullOverlaps(arguments, tile);

@@ -4,7 +4,7 @@
 #include "core/matching/ncc_tile_vector.h"
 
 /// \file
-/// The loops that prepare a series for those of ncc_tile_loops.h.
+/// The loops that prepare a series for the search of ncc_tile_loops.h.
 
 namespace contact_shapelets::core::tile {
 namespace {
@@ -22,7 +22,7 @@ struct PreparationLoops {
     int hard_count = 0;
     for (int j = 0; j < arguments.count; ++j) {
       const double inverse = arguments.inverse[j];
-      // All values that a sum at a position near this window can hold.
+      // Of all samples that a sum for this window can hold.
       const auto energy = static_cast<double>(arguments.squares[j + 2 * length] - arguments.squares[j - length]);
       const bool hard = inverse * inverse * energy > arguments.hard_ratio;
       const bool counts = inverse != 0.0 && !hard;
@@ -34,16 +34,16 @@ struct PreparationLoops {
     return hard_count;
   }
 
-  /// sum (t - mu_j)^2 over the samples before j + at, less what is the same of every `at`: mu_j^2 (j + at) is counted
-  /// by the sample as mu_j^2 at.
+  /// Returns sum (t - mu_j)^2 over the samples before j + at, minus mu_j^2 j. That term is the same for every `at`, and
+  /// only differences are used.
   static Vector EnergyBefore(const BoundArguments& arguments, int window, int at) {
     const Vector mean = Of::LoadOnce(arguments.mean + window);
     const Vector sum = Load(arguments.sums + window + at);
     return Load(arguments.squares + window + at) - mean * (sum + sum - static_cast<float>(at) * mean);
   }
 
-  /// energies[j] = sum (t - mu_j)^2 / (M sigma_j^2) over the samples from j + at to where `fixed` was taken, or a
-  /// little more. `sign` is 1 where these come after j + at, and -1 where they come before.
+  /// Sets energies[j] to sum (t - mu_j)^2 / (M sigma_j^2), or a little more, over the samples between j + at and the
+  /// sample that `fixed` was computed for. `sign` is 1 if that sample comes after j + at, and -1 if it comes before.
   static void Energies(const BoundArguments& arguments, const float* fixed, float sign, int at, float* energies) {
     for (int window = 0; window < arguments.count; window += Lanes) {
       const Vector energy = sign * (Load(fixed + window) - EnergyBefore(arguments, window, at)) + arguments.rounding;
@@ -51,14 +51,14 @@ struct PreparationLoops {
     }
   }
 
-  /// The largest of `count` >= kPositions values.
+  /// Returns the largest of `count` >= kPositions values.
   static float LargestOf(const float* values, int count) {
     Vector largest = Load(values + count - Lanes);
     for (int at = 0; at < count - Lanes; at += Lanes) largest = Of::Larger(largest, Load(values + at));
     return Of::Largest(largest);
   }
 
-  /// One block of all tiles: `from` is the window of position 0 and the block's least overlap, or its most.
+  /// Sets the bounds of one block in all tiles. `from` is the first window that position 0 reaches in this block.
   static void OneBlock(const BoundArguments& arguments, int block, int from, int span, Bounds* bounds) {
     for (int tile = 0; tile < arguments.tiles; ++tile) {
       const int window = (tile - arguments.further_tiles) * kPositions + from;

@@ -5,8 +5,8 @@
 #endif
 
 /// \file
-/// What the inner loops do with single vectors of `Lanes` floats. Plain vector code, and one instruction of the set
-/// that the file is built for where the compiler does not find it.
+/// Operations of the inner loops on one vector of `Lanes` floats. It is GCC's vector code; single instructions are
+/// named only if the compiler does not find them.
 
 namespace contact_shapelets::core::tile {
 namespace {
@@ -16,6 +16,12 @@ struct VectorOf {
   typedef float Floats __attribute__((vector_size(Lanes * sizeof(float))));
   typedef int Integers __attribute__((vector_size(Lanes * sizeof(int))));
   typedef double Doubles __attribute__((vector_size(Lanes / 2 * sizeof(double))));
+  /// True if there are 32 vector registers and not only 16.
+#if defined(__AVX512VL__)
+  static constexpr bool kManyRegisters = true;
+#else
+  static constexpr bool kManyRegisters = false;
+#endif
 
   template <typename Type>
   static Type Load(const void* from) {
@@ -28,8 +34,8 @@ struct VectorOf {
     __builtin_memcpy(to, &vector, sizeof(vector));
   }
 
-  /// A vector that several instructions use and that is to be loaded once: the compiler takes it for changed, and so
-  /// does not load it anew as an operand of each.
+  /// Loads a vector that several instructions use. The empty instruction makes the compiler keep it in a register
+  /// instead of loading it anew for each of them.
   static Floats LoadOnce(const float* from) {
     Floats vector = Load<Floats>(from);
 #if defined(__x86_64__)
@@ -37,7 +43,7 @@ struct VectorOf {
 #endif
     return vector;
   }
-  /// The same of one value in all lanes.
+  /// The same for one value in all lanes.
   static Floats Spread(float value) {
     Floats vector = Floats{} + value;
 #if defined(__x86_64__)
@@ -54,7 +60,7 @@ struct VectorOf {
 
   static Floats Larger(Floats one, Floats other) { return one > other ? one : other; }
 
-  /// A bit for each lane: its sign.
+  /// Returns the signs of the lanes, one bit each.
   static unsigned Signs(Integers vector) {
 #if defined(__AVX512DQ__)
     if constexpr (Lanes == 16) return _mm512_movepi32_mask((__m512i)vector);
@@ -72,12 +78,13 @@ struct VectorOf {
     return bits;
   }
 
-  /// The largest lane.
+  /// Returns the largest lane.
   static float Largest(Floats vector) {
 #if defined(__AVX512DQ__)
     if constexpr (Lanes == 16) {
       const auto whole = (__m512)vector;
-      // Without a mask, this and the cast to a half make the compiler warn of what its own header leaves undefined.
+      // Without a mask, the compiler warns of a variable that its own header leaves undefined. So does the cast to a
+      // half.
       const __m256 lower = _mm512_maskz_extractf32x8_ps(0xFF, whole, 0);
       const __m256 upper = _mm512_maskz_extractf32x8_ps(0xFF, whole, 1);
       return VectorOf<8>::Largest((typename VectorOf<8>::Floats)_mm256_max_ps(lower, upper));

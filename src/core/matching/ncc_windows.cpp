@@ -53,7 +53,7 @@ void WindowSet::FindStatistics(double flat_deviation) {
   mean_.back() = sum;
   inverse_deviation_.back() = squares;
 
-  // Apart from the sums, since roots and divisions of several windows can then be taken at the same time.
+  // A loop apart from that of the sums, so that roots and divisions of several windows run at the same time.
   Eigen::Map<Eigen::ArrayXd> means(mean_.data(), SizeOf(mean_));
   Eigen::Map<Eigen::ArrayXd> deviations(inverse_deviation_.data(), SizeOf(mean_));
   means /= length_;
@@ -66,8 +66,8 @@ void WindowSet::FindStatistics(double flat_deviation) {
 }
 
 void WindowSet::FindStretches() {
-  // A stretch costs the positions that windows beside it would share, so that short gaps are not worth another one. It
-  // ends in time, since the kernel centres values on the mean of a stretch.
+  // Each stretch adds positions before and behind its windows, so a short gap is not worth a new stretch. A stretch
+  // must not be too long, because the kernel centres values on its mean.
   const int gap = length_ + 64;
   const int most = std::max(1024, 4 * length_);
   stretches_.clear();

@@ -11,7 +11,7 @@ namespace contact_shapelets::core {
 
 struct PreparedShapelets;
 
-/// Neighbouring windows, of which the first and the last are not flat.
+/// Neighbouring windows. The first and the last are not flat.
 struct WindowStretch {
   int first;  ///< index of the first window
   int count;  ///< windows, at least 1
@@ -19,21 +19,22 @@ struct WindowStretch {
 
 /// A series prepared for matching with shapelets of one length: the windows' means and standard deviations.
 ///
-/// Flat windows are left out, since z-normalising mere noise makes it match anything.
+/// Flat windows are left out because noise that is z-normalised matches anything.
 class WindowSet {
  public:
-  /// No windows, until the first Assign().
+  /// Holds no windows until the first Assign().
   WindowSet() = default;
 
   /// Prepares `series` [Q] for shapelets of `length` samples.
   ///
   /// Windows with a population standard deviation of `flat_deviation` or less (same unit as the series, at least 0) are
-  /// flat and never match. Statistics are taken in double precision; the series is copied.
-  /// \throws std::invalid_argument where `length` < 2, `length` > Q, or a value is not finite.
+  /// flat and never match. So are windows with no more deviation than rounding makes. Statistics are computed in double
+  /// precision; the series is copied.
+  /// \throws std::invalid_argument if `length` < 2, `length` > Q, or a value is not finite.
   WindowSet(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
 
-  /// Takes another series, not that of this set, in place of the one before, as the constructor does. Memory is kept
-  /// and allocated only where it has never been as large.
+  /// Replaces the series, as the constructor does; `series` must not be that of this set. Allocates only if its memory
+  /// has never been as large.
   void Assign(const Eigen::Ref<const Eigen::VectorXf>& series, int length, double flat_deviation);
 
   /// Samples M in a window.
@@ -42,9 +43,9 @@ class WindowSet {
   int window_count() const { return static_cast<int>(inverse_deviation_.size()); }
   /// Number of windows that are not flat.
   int usable_window_count() const { return usable_window_count_; }
-  /// What remains when long flat stretches are left out, in order: every window that is not flat is in one of these.
+  /// The windows without long flat stretches, in order. Every window that is not flat is in one of these.
   const std::vector<WindowStretch>& stretches() const { return stretches_; }
-  /// True where window j is flat.
+  /// Returns true if window j is flat.
   bool IsFlat(int window) const { return inverse_deviation_[static_cast<std::size_t>(window)] == 0.0; }
   /// The z-normalised window j, M values.
   Eigen::VectorXf NormalisedWindow(int window) const;
@@ -77,17 +78,16 @@ class WindowSet {
 class ShapeletSet {
  public:
   /// Takes `shapelets` [K, M], one per row, and z-normalises each row. A row of equal values matches nothing.
-  /// \throws std::invalid_argument where M < 2 or a value is not finite.
+  /// \throws std::invalid_argument if M < 2 or a value is not finite.
   explicit ShapeletSet(const Eigen::Ref<const Eigen::MatrixXf>& shapelets);
 
   /// Number of shapelets K.
   int count() const { return static_cast<int>(normalised_.cols()); }
   /// Samples M of each.
   int length() const { return static_cast<int>(normalised_.rows()); }
-  /// The z-normalised shapelets [M, K], one per column; a column of zeros where the shapelet was constant.
+  /// The z-normalised shapelets [M, K], one per column; zeros if a shapelet is constant.
   const Eigen::MatrixXf& normalised() const { return normalised_; }
-  /// The shapelets laid out for FindBestMatches(), with the energies that bound a partial overlap; shared between
-  /// copies.
+  /// The shapelets as FindBestMatches() needs them, with the energies that bound partial overlaps. Copies share them.
   const PreparedShapelets& prepared() const { return *prepared_; }
 
  private:

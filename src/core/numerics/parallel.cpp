@@ -34,7 +34,7 @@ void ParallelFor(int count, int threads, const std::function<void(int)>& work) {
   try {
     for (int thread = 1; thread < std::min(threads, count); ++thread) helpers.emplace_back(run);
   } catch (const std::system_error&) {
-    // The system gives no more threads: those that run do the work.
+    // If the system gives no more threads, those that run do the work.
   }
   run();
   for (std::thread& helper : helpers) helper.join();

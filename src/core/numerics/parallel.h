@@ -7,11 +7,12 @@
 
 namespace contact_shapelets::core {
 
-/// As many threads as the machine runs at the same time, where `requested` is 0; else `requested`.
+/// Returns `requested`, or the number of threads that the machine runs at the same time if `requested` is 0.
 int ThreadCount(int requested);
 
 /// Calls `work(index)` for every index in 0 ... count - 1, spread over `threads` threads. Calls must not depend on each
-/// other, so that the result is the same for any number of threads. The first exception thrown is thrown again here.
+/// other; then the result is the same for any number of threads. If a call throws, no further calls begin, and this
+/// function throws the first exception again.
 void ParallelFor(int count, int threads, const std::function<void(int)>& work);
 
 }  // namespace contact_shapelets::core

@@ -5,15 +5,15 @@
 #include <vector>
 
 /// \file
-/// Random numbers that are the same for a seed on every machine and standard library.
+/// Random numbers. Equal seeds give equal numbers on every machine and with every standard library.
 
 namespace contact_shapelets::core {
 
-/// The seed of sequence `stream` among those that belong to `seed`. Sequences that are used for different ends get
-/// different streams, so that none follows from another (mixed by std::seed_seq, which the standard defines exactly).
+/// Returns the seed of random sequence number `stream` of those that belong to `seed`. Each purpose takes a stream of
+/// its own, so that no sequence repeats another. Mixes by std::seed_seq, which the standard defines exactly.
 std::uint64_t StreamSeed(std::uint64_t seed, std::uint32_t stream);
 
-/// A 64-bit Mersenne Twister with explicit distributions (the standard library's differ between implementations).
+/// A 64-bit Mersenne Twister. It has its own distributions because those of the standard libraries differ.
 class Random {
  public:
   /// Seeds the generator; equal seeds give equal sequences.
@@ -27,7 +27,7 @@ class Random {
   int Index(int count) { return static_cast<int>(Uniform() * count); }
   /// Standard normal (Box and Muller 1958).
   double Normal();
-  /// `chosen` different indices out of 0 ... count - 1, in random order (partial Fisher-Yates shuffle).
+  /// Returns `chosen` different indices out of 0 ... count - 1, in random order (partial Fisher-Yates shuffle).
   std::vector<int> Sample(int count, int chosen);
 
  private:

@@ -14,7 +14,7 @@ Eigen::VectorXf ZNormalised(const Eigen::Ref<const Eigen::VectorXf>& series) {
   const Eigen::ArrayXd values = series.cast<double>().array();
   const Eigen::ArrayXd centred = values - values.mean();
   const double deviation = std::sqrt(centred.square().mean());
-  // Rounding leaves a constant series with a deviation that is not exactly zero.
+  // Because of rounding, the deviation of a constant series may not be exactly zero.
   if (deviation <= 1e-7 * values.abs().maxCoeff()) return Eigen::VectorXf::Zero(series.size());
   return (centred / deviation).cast<float>().matrix();
 }
