@@ -11,7 +11,7 @@
 
 namespace contact_shapelets::evaluation {
 
-/// A method that differs from others in its features alone: K-means with 20 restarts on them.
+/// A method that clusters its features by K-means with 20 restarts. Such methods differ in their features alone.
 class FeatureClusterer : public Clusterer {
  public:
   Eigen::VectorXi Fit(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) override;
@@ -19,7 +19,7 @@ class FeatureClusterer : public Clusterer {
   Eigen::VectorXi ClusterAnew(const Eigen::Ref<const Eigen::MatrixXf>& features) const override;
 
  protected:
-  /// Learns what Transform() needs.
+  /// Learns the features from `train`, before the first call of Transform().
   virtual void Learn(const std::vector<Eigen::VectorXf>& train, int clusters, std::uint64_t seed) = 0;
 
  private:

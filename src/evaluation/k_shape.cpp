@@ -14,9 +14,10 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// The leading eigenvector of a symmetric matrix with no negative eigenvalue. Power iteration from `start` mostly
-/// converges within some ten rounds, which a whole decomposition takes a hundred times as long as. It may end at a
-/// lesser eigenvector; one whose eigenvalue is more than half of their sum, the trace, is the leading one for certain.
+/// Returns the leading eigenvector of a symmetric matrix without negative eigenvalues. Power iteration from `start`
+/// mostly converges within some ten rounds; a whole decomposition takes a hundred times as long. The iteration may end
+/// at another eigenvector. An eigenvalue above half of the trace is certainly the largest; otherwise the matrix is
+/// decomposed.
 Eigen::VectorXd LeadingEigenvector(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& start) {
   constexpr int kRounds = 300;
   constexpr double kConverged = 1e-10;
@@ -34,7 +35,7 @@ Eigen::VectorXd LeadingEigenvector(const Eigen::MatrixXd& matrix, const Eigen::V
   return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvectors().rightCols(1);
 }
 
-/// The leading right singular vector of `rows` [n, m], by the smaller of its two Gram matrices.
+/// Returns the direction of the leading right singular vector of `rows` [n, m], from the smaller of its Gram matrices.
 Eigen::VectorXd LeadingDirection(const Eigen::MatrixXd& rows) {
   const Eigen::VectorXd sum = rows.colwise().sum().transpose();
   if (rows.rows() >= rows.cols()) return LeadingEigenvector(rows.transpose() * rows, sum);
@@ -47,7 +48,7 @@ struct Assignment {
   Eigen::VectorXd distances;
 };
 
-/// Series with what comparing them needs, worked out once.
+/// Series with their spectra and norms, which every comparison needs.
 class ShapeSet {
  public:
   explicit ShapeSet(const Eigen::Ref<const Eigen::MatrixXd>& series)
@@ -92,7 +93,7 @@ class ShapeSet {
   Eigen::VectorXd norms_;
 };
 
-/// Gives each empty cluster the series farthest from its centroid, out of clusters that keep another.
+/// Gives each empty cluster the series farthest from its centroid. No cluster loses its only series.
 void RefillEmpty(int clusters, Assignment* assignment) {
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(clusters);
   for (Eigen::Index row = 0; row < assignment->labels.size(); ++row) ++counts[assignment->labels[row]];
@@ -110,7 +111,7 @@ void RefillEmpty(int clusters, Assignment* assignment) {
   }
 }
 
-/// A random partition in which every cluster has a member.
+/// Returns a random partition without empty clusters.
 Eigen::VectorXi RandomLabels(int count, int clusters, core::Random* random) {
   const std::vector<int> order = random->Sample(count, count);
   Eigen::VectorXi labels(count);
@@ -153,7 +154,7 @@ Eigen::VectorXd ExtractShape(const Eigen::Ref<const Eigen::MatrixXd>& members,
       aligned.row(row) = Shifted(members.row(row).transpose(), shift).transpose();
     }
   }
-  // With Z the aligned members less their means, Q^T S Q = Z^T Z.
+  // Q^T S Q = Z^T Z. Z holds the aligned members minus their means.
   aligned.colwise() -= aligned.rowwise().mean().eval();
   Eigen::VectorXd shape = LeadingDirection(aligned);
   if ((aligned * shape).sum() < 0.0) shape = -shape;

@@ -30,7 +30,7 @@ class RawClusterer : public FeatureClusterer {
   int length_ = 0;
 };
 
-/// The number K of the name "udfs_kK", 1 to 999; 0 where it is not of that form.
+/// Returns the number of neighbours, 1 to 999, in a name such as "udfs_k8"; 0 if the name has another form.
 int UdfsNeighbours(const std::string& name) {
   const std::string prefix = "udfs_k";
   const std::string digits = name.substr(std::min(prefix.size(), name.size()));

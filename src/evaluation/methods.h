@@ -12,13 +12,16 @@
 
 namespace contact_shapelets::evaluation {
 
-/// Names of the methods that are compared by default, all known to MakeClusterer().
+/// Returns the names of the methods of a default evaluation.
 const std::vector<std::string>& ClustererNames();
 
-/// The method `name`: "kmeans" on the z-normalised series; "udfs" (udfs.h) with 5 neighbours, "udfs_k1" to "udfs_k999"
-/// with as many; "kshape" (k_shape.h); "uslm" (uslm.h); "nn_stne", this package's trainer with `options`;
-/// "nn_stne_paper", the paper's objective and distances with one scale and none of the additions, whatever `options`
-/// says. \throws std::invalid_argument naming the methods where there is none of that name.
+/// Returns the method `name`:
+/// "kmeans": K-means on the z-normalised series;
+/// "udfs" (udfs.h) with 5 neighbours, "udfs_k1" to "udfs_k999" with 1 to 999;
+/// "kshape" (k_shape.h); "uslm" (uslm.h);
+/// "nn_stne": this package's trainer with `options`;
+/// "nn_stne_paper": the trainer with PaperOptions(), whatever `options` says.
+/// \throws std::invalid_argument that lists the methods if there is none of that name.
 std::unique_ptr<Clusterer> MakeClusterer(const std::string& name, const core::TrainerOptions& options);
 
 }  // namespace contact_shapelets::evaluation

@@ -10,7 +10,7 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// Number of items in each cluster (rows) and class (columns).
+/// Returns the number of items in each cluster (rows) and class (columns).
 Eigen::MatrixXd Contingency(const Eigen::Ref<const Eigen::VectorXi>& labels,
                             const Eigen::Ref<const Eigen::VectorXi>& classes) {
   Eigen::MatrixXd table = Eigen::MatrixXd::Zero(labels.maxCoeff() + 1, classes.maxCoeff() + 1);

@@ -10,13 +10,13 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// FFTW makes plans on one thread at a time only.
+/// FFTW's planner must not run in two threads at the same time.
 std::mutex& PlannerMutex() {
   static std::mutex mutex;
   return mutex;
 }
 
-/// The least power of two that holds all shifts of two series without wrapping round.
+/// Returns the least power of two that holds all shifts of two series without overlap of its ends.
 int TransformLength(int length) {
   int transform = 1;
   while (transform < 2 * length - 1) transform *= 2;
@@ -99,7 +99,7 @@ ShapeDistance ShapeComparer::Compare(const Eigen::Ref<const Eigen::RowVectorXcd>
   const double scale = x_norm * y_norm * plans_->size;
   const double most = Correlate(x, y);
   best.distance = 1.0 - most / scale;
-  // The transforms' rounding must not choose between shifts that are equally good.
+  // Rounding must not decide between shifts that are equally good.
   constexpr double kRounding = 1e-12;
   const double enough = most - kRounding * scale;
   while (best.shift < plans_->length) {

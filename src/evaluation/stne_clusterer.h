@@ -9,7 +9,7 @@
 #include "evaluation/clusterer.h"
 
 /// \file
-/// This package's own method under evaluation.
+/// NN-STNE as a method under evaluation.
 
 namespace contact_shapelets::core {
 struct Training;
@@ -17,11 +17,11 @@ struct Training;
 
 namespace contact_shapelets::evaluation {
 
-/// The trainer and classifier of this package. Features are the distances to the learned shapelets and to the random
-/// ones, which only vote, side by side.
+/// The trainer and classifier of this package. Features are the distances to the learned shapelets and, beside them, to
+/// the random ones, which only vote.
 class StneClusterer : public Clusterer {
  public:
-  /// Trains with `options`, but for clusters, seed and threads.
+  /// Trains with `options`. Fit() sets clusters and seed; training uses one thread.
   explicit StneClusterer(const core::TrainerOptions& options);
   ~StneClusterer() override;
 

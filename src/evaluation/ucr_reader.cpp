@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One file as read, rows counted from 1 as an editor does.
+/// The contents of one file.
 struct UcrFile {
   std::string path;
   std::vector<double> classes;
   std::vector<Eigen::VectorXf> series;
-  std::vector<int> rows;
+  std::vector<int> rows;  ///< the row of each series in the file, from 1
 };
 
 [[noreturn]] void Fail(const std::string& path, int row, const std::string& what) {
@@ -43,7 +43,7 @@ std::vector<std::string> Fields(std::string line) {
   while (start <= line.size()) {
     const std::size_t end = std::min(line.find_first_of(separators, start), line.size());
     const std::string field = trimmed(line.substr(start, end - start));
-    // Several spaces are one separator; several commas or tabs hold an empty value between them.
+    // Several spaces are one separator. Between two commas or tabs there is an empty value.
     if (!field.empty() || commas || tabs) fields.push_back(field);
     start = end + 1;
   }
@@ -62,7 +62,7 @@ double Number(const std::string& text, const std::string& path, int row, std::si
   return value;
 }
 
-/// `values` without the padding at its end, missing values interpolated.
+/// Returns `values` without the padding at their end, and with missing values interpolated.
 Eigen::VectorXf WithoutMissing(std::vector<double> values) {
   while (!values.empty() && std::isnan(values.back())) values.pop_back();
   Eigen::VectorXf series(values.size());
@@ -134,7 +134,7 @@ std::string FindSplit(const std::string& folder, const std::string& name, const 
   throw std::runtime_error(expected.string() + ": there is no such file (nor with the ending .txt, .csv or none)");
 }
 
-/// Members of each class in `file`, and the row of the last one.
+/// Returns the number of members of each class in `file`, and the row of the last one.
 std::map<double, std::pair<int, int>> Members(const UcrFile& file) {
   std::map<double, std::pair<int, int>> members;
   for (std::size_t index = 0; index < file.classes.size(); ++index) {

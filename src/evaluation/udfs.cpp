@@ -13,7 +13,7 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// `point` and its `count` nearest neighbours among the rows of `points`, as columns: X_i [D, k + 1].
+/// Returns `point` and its `count` nearest neighbours among the rows of `points`, as columns: X_i [D, k + 1].
 Eigen::MatrixXd Neighbourhood(const Eigen::Ref<const Eigen::MatrixXd>& points, Eigen::Index point, int count) {
   const Eigen::VectorXd distances = (points.rowwise() - points.row(point)).rowwise().squaredNorm();
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points.rows()));
@@ -29,7 +29,7 @@ Eigen::MatrixXd Neighbourhood(const Eigen::Ref<const Eigen::MatrixXd>& points, E
   return neighbourhood;
 }
 
-/// M, the sum of the local discriminative scores.
+/// Returns M, the sum of the local discriminative scores.
 Eigen::MatrixXd LocalScores(const Eigen::Ref<const Eigen::MatrixXd>& points, const UdfsOptions& options) {
   const int count = std::min(options.neighbours, static_cast<int>(points.rows()) - 1);
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(points.cols(), points.cols());

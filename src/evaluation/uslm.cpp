@@ -16,7 +16,7 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// Squared Euclidean distances between the columns of `points` [D, N]: [N, N].
+/// Returns the squared Euclidean distances [N, N] between the columns of `points` [D, N].
 Eigen::MatrixXd SquaredDistances(const Eigen::MatrixXd& points) {
   const Eigen::VectorXd energy = points.colwise().squaredNorm().transpose();
   Eigen::MatrixXd distances = -2.0 * points.transpose() * points;
@@ -25,7 +25,7 @@ Eigen::MatrixXd SquaredDistances(const Eigen::MatrixXd& points) {
   return distances.cwiseMax(0.0);
 }
 
-/// The median of the distances between different columns of `points`; 1 where it is 0.
+/// Returns the median squared distance between different columns of `points`; 1 if it is 0.
 double MedianSquaredDistance(const Eigen::MatrixXd& points) {
   const Eigen::MatrixXd distances = SquaredDistances(points);
   std::vector<double> values;
@@ -38,7 +38,7 @@ double MedianSquaredDistance(const Eigen::MatrixXd& points) {
   return *middle > 0.0 ? *middle : 1.0;
 }
 
-/// G of the columns of `points`, with a zero diagonal, which no Laplacian depends on.
+/// Returns G of the columns of `points`, with a diagonal of zero: Laplacians do not depend on it.
 Eigen::MatrixXd Similarity(const Eigen::MatrixXd& points, double width) {
   Eigen::MatrixXd similarity = (-SquaredDistances(points) / width).array().exp();
   similarity.diagonal().setZero();
@@ -51,7 +51,7 @@ Eigen::MatrixXd Laplacian(const Eigen::MatrixXd& similarity) {
   return laplacian;
 }
 
-/// K-means centroids of up to 3000 windows of `series`, drawn at random: [count, length].
+/// Returns K-means centroids [count, length] of up to 3000 windows of `series`, drawn at random.
 Eigen::MatrixXd StartingShapelets(const Eigen::Ref<const Eigen::MatrixXd>& series, int length, int count,
                                   std::uint64_t seed) {
   constexpr int kMostWindows = 3000;
@@ -163,8 +163,8 @@ Eigen::MatrixXd UslmLearner::ShapeletSimilarity(const Eigen::MatrixXd& shapelets
 }
 
 Eigen::MatrixXd UslmLearner::ShapeletGradient() const {
-  // 1/2 tr(Y L Y^T) = 1/4 sum_ij G_ij |y_i - y_j|^2, so with A_ij = G_ij |y_i - y_j|^2 its derivative by x_i is
-  // -1/sigma^2 sum_j A_ij (x_i - x_j): minus X times the Laplacian of A.
+  // 1/2 tr(Y L Y^T) = 1/4 sum_ij A_ij with A_ij = G_ij |y_i - y_j|^2. Its derivative by x_i is
+  // -1/sigma^2 sum_j A_ij (x_i - x_j), column i of -X times the Laplacian of A, divided by sigma^2.
   const Eigen::MatrixXd pairs = Similarity(distances_, graph_width_).cwiseProduct(SquaredDistances(pseudo_labels_));
   Eigen::MatrixXd pull = -distances_ * Laplacian(pairs) / graph_width_;
   pull += options_.regression * classifier_ * (classifier_.transpose() * distances_ - pseudo_labels_);

@@ -5,8 +5,8 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// Distances d [J, K] of all windows to all shapelets, and their weights in the soft minimum, of sum 1 for each
-/// shapelet.
+/// Distances d [J, K] of all windows to all shapelets, and their weights in the soft minimum. The weights of each
+/// shapelet sum to 1.
 struct WindowDistances {
   Eigen::MatrixXd values;
   Eigen::MatrixXd weights;
@@ -19,7 +19,7 @@ WindowDistances Compare(const Eigen::MatrixXd& windows, const Eigen::Ref<const E
   distances.values.colwise() += windows.rowwise().squaredNorm();
   distances.values.rowwise() += shapelets.rowwise().squaredNorm().transpose();
   distances.values = distances.values.cwiseMax(0.0) / static_cast<double>(shapelets.cols());
-  // Taken relative to the least distance, the exponentials cannot all vanish.
+  // Relative to the least distance, so that not all exponentials can underflow.
   const Eigen::RowVectorXd least = distances.values.colwise().minCoeff();
   distances.weights = (softness * (distances.values.rowwise() - least)).array().exp();
   const Eigen::RowVectorXd sums = distances.weights.colwise().sum();

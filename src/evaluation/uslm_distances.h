@@ -3,14 +3,15 @@
 #include <Eigen/Core>
 
 /// \file
-/// The distances of USLM with their derivative.
+/// The distances of USLM and their derivative.
 
 namespace contact_shapelets::evaluation {
 
-/// The windows of `series` [Q] of `length` samples, one per row: [Q - length + 1, length].
+/// Returns the windows of `length` samples of `series` [Q], one per row: [Q - length + 1, length].
 Eigen::MatrixXd Windows(const Eigen::Ref<const Eigen::VectorXd>& series, Eigen::Index length);
 
-/// sum_j over series of `pull`_ij dX_ij/ds_i [K, M], for `pull` [K, N], the derivative of a function of X by X.
+/// Returns the derivative [K, M] of a function of X by the shapelets s_i: sum_j pull_ij dX_ij/ds_i. `pull` [K, N] is
+/// its derivative by X.
 Eigen::MatrixXd PullThroughSoftMinimum(const Eigen::Ref<const Eigen::MatrixXd>& series,
                                        const Eigen::Ref<const Eigen::MatrixXd>& shapelets, double softness,
                                        const Eigen::Ref<const Eigen::MatrixXd>& pull);

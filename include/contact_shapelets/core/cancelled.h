@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::core {
 
-/// Thrown by long work, such as a training or the reading of bags, that its progress callback cancelled.
+/// Thrown if the progress callback of long work, such as a training or the reading of bags, cancels it.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}

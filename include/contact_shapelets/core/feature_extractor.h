@@ -13,13 +13,14 @@ namespace contact_shapelets::core {
 
 /// How well each of K shapelets matched one series.
 struct ShapeletDistances {
-  Eigen::VectorXf distances;    ///< F [K], in [0, 2]: 1 - best normalised cross-correlation
+  Eigen::VectorXf distances;    ///< F [K], in [0, 2]: 1 - best normalised cross-correlation; 1 if all windows are flat
   Eigen::VectorXf memberships;  ///< q [K], equation 4, sum 1
-  Eigen::VectorXi match_start;  ///< [K] first sample of the matched window; -1 where no window counts
-  Eigen::VectorXi match_span;   ///< [K] samples from the window's first to behind its last
+  Eigen::VectorXi match_start;  ///< [K] first sample of the matched window; -1 if all windows are flat
+  Eigen::VectorXi match_span;   ///< [K] samples that the matched window spans; 0 if all windows are flat
 };
 
-/// What FeatureExtractor works in: kept from one series to the next, so that little is allocated. One per thread.
+/// Working memory of FeatureExtractor. Keep it from one series to the next to save allocations. Each thread needs its
+/// own.
 class FeatureMemory {
  public:
   FeatureMemory();
@@ -35,22 +36,23 @@ class FeatureMemory {
   std::unique_ptr<Arrays> arrays_;
 };
 
-/// Computes the distances of series to a fixed list of shapelets. Safe to use from several threads at the same time.
+/// Computes the distances of series to a fixed list of shapelets. Several threads may use it at the same time.
 class FeatureExtractor {
  public:
-  /// Prepares `shapelets`; windows whose standard deviation is under `flat_fraction` [0, 1) of the series' never match.
-  /// \throws std::invalid_argument where there is no shapelet, or one has under 2 values or a dilation under 1.
+  /// Prepares `shapelets`. A window never matches if its standard deviation is at most `flat_fraction` [0, 1) times
+  /// that of the series. \throws std::invalid_argument if there is no shapelet, or one has fewer than 2 values, a value
+  /// that is not finite, or a dilation below 1.
   FeatureExtractor(const std::vector<Shapelet>& shapelets, double flat_fraction);
 
-  /// F of one series [Q >= 2]. A series shorter than a shapelet is extended by its last value.
-  /// \throws std::invalid_argument where a value is not finite or Q < 2.
+  /// Computes distances and memberships of one series [Q >= 2]. A series shorter than a shapelet is extended by its
+  /// last value. \throws std::invalid_argument if a value is not finite or Q < 2.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series) const;
 
-  /// The same in memory of the caller: allocates nothing but the result once that is as large as a series needs.
+  /// The same with `memory` of the caller. Once that is as large as a series needs, allocates only the result.
   ShapeletDistances Compute(const Eigen::Ref<const Eigen::VectorXf>& series, FeatureMemory* memory) const;
 
-  /// F [N, K] of N series, one per row, as Compute() gives it. `threads` is 1 or more; the result does not depend on
-  /// it.
+  /// Returns F [N, K] of N series, one per row, as Compute() gives it. `threads` is 1 or more; the result does not
+  /// depend on it.
   Eigen::MatrixXf Distances(const std::vector<Eigen::VectorXf>& series, int threads) const;
 
   /// Number of shapelets K.
@@ -58,7 +60,7 @@ class FeatureExtractor {
 
  private:
   struct Group;
-  std::shared_ptr<const std::vector<Group>> groups_;  ///< never changed, so that copies share them
+  std::shared_ptr<const std::vector<Group>> groups_;  ///< constant, so copies share them
   int shapelet_count_;
   double flat_fraction_;
 };

@@ -6,8 +6,8 @@ namespace contact_shapelets::core {
 
 /// One learned shapelet.
 struct Shapelet {
-  int scale = 0;           ///< index of the scale (bank) it was learned at
-  int dilation = 1;        ///< samples between two of its values, at least 1
+  int scale = 0;           ///< index of its scale in Provenance::selected_scales
+  int dilation = 1;        ///< samples from one of its values to the next, at least 1
   Eigen::VectorXf values;  ///< z-normalised
 };
 

@@ -12,56 +12,60 @@
 #include "contact_shapelets/core/model.h"
 
 /// \file
-/// From episodes to a model: shapelet banks, clusters, names and novelty limits. Used alike by the trainer node, the
-/// offline program and the evaluation.
+/// From episodes to a model: shapelet banks, clusters, names and novelty limits. The trainer node, the offline program
+/// and the evaluation all use it.
 
 namespace contact_shapelets::core {
 
 /// Parameters of TrainModel().
 struct TrainerOptions {
-  int clusters = 3;           ///< C, at least 2
-  LearnerOptions learner;     ///< shapelet banks
-  bool log_distances = true;  ///< cluster on the logarithm of the distances; false: on the distances, as the paper does
-  int kmeans_restarts = 20;   ///< of the K-means that the decision begins with, at least 1
-  int voters = 200;  ///< see ConsensusLabels(), at least 0: most on the learned shapelets, the others on random ones;
-                     ///< 0: one K-means on the former
-  int random_shapelets = 1000;  ///< that vote beside the learned ones, at least 0; 0: learned ones alone
-  int voting_episodes = 5000;  ///< at least the clusters: of more episodes as many are drawn to be voted on; the others
-                               ///< go to the nearest centroid of those
-  double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
-  double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
-  int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
+  int clusters = 3;        ///< number of clusters C, at least 2
+  LearnerOptions learner;  ///< parameters of the shapelet banks
+  /// True: cluster on the logarithm of the distances. False: on the distances, as the paper does.
+  bool log_distances = true;
+  int kmeans_restarts = 20;  ///< starts of the K-means that the decision begins with, at least 1
+  /// Voters on the clusters, at least 0. Most see distances to the learned shapelets, the others to random shapelets.
+  /// 0: one K-means on the learned shapelets decides.
+  int voters = 200;
+  int random_shapelets = 1000;  ///< random shapelets that vote beside the learned ones, at least 0
+  /// Greatest number of episodes to vote on, at least `clusters`. Of more episodes, this many are drawn; the others go
+  /// to the nearest centroid of these.
+  int voting_episodes = 5000;
+  double novelty_quantile = 1.0;  ///< part of a cluster's training episodes that its novelty limit covers, (0, 1]
+  double novelty_margin = 1.5;    ///< factor on that limit, at least 1
+  int threads = 0;                ///< at least 0; 0: as many as the machine has; the result does not depend on it
   std::uint64_t seed = 0;         ///< equal seeds give equal models
 
-  /// Every parameter that is out of range, one line each with its name and range; empty if all values are valid.
+  /// Returns one line for each invalid parameter, with its name and range; an empty string if all values are valid.
   std::string Faults() const;
 };
 
-/// The set-up of the paper: one scale, attraction alone, diversity, length by the L1 norm, every window, K-means on the
-/// distances themselves. Equal to config/paper.yaml.
+/// Returns the set-up of the paper: one scale, attraction alone, diversity, length by the L1 norm, every window,
+/// K-means on the distances themselves. Equal to config/paper.yaml.
 TrainerOptions PaperOptions();
 
 /// Progress of a training.
 struct TrainingProgress {
-  int bank = 0;                ///< being trained, from 0; as many as there are scales: the clusters
-  int step = 0;                ///< of that bank
-  double objective = 0.0;      ///< its value
-  double fraction_done = 0.0;  ///< [0, 1] of the whole
+  int bank = 0;                ///< index of the scale in training; the number of scales while clusters are formed
+  int step = 0;                ///< gradient step of that bank, from 0
+  double objective = 0.0;      ///< value of its objective
+  double fraction_done = 0.0;  ///< part of the training that is done, [0, 1]
 };
 
-/// Called now and then from the training thread; returning false cancels the training.
+/// Receives progress now and then, in the thread that trains. Returns false to cancel the training.
 using ProgressCallback = std::function<bool(const TrainingProgress&)>;
 
-/// A model and how the training episodes fell into its clusters.
+/// A model and the clusters of the training episodes.
 struct TrainingResult {
   Model model;
   Eigen::VectorXi labels;  ///< [N] cluster of each training episode
 };
 
-/// Learns shapelets and clusters from `episodes`, without using their outcomes; then names clusters by outcomes where
-/// there are some. Episodes must share one sample period and may differ in length.
-/// \throws std::invalid_argument where options are out of range, there are fewer episodes than clusters, sample periods
-///   differ, a value is not finite, or all episodes are flat. \throws Cancelled
+/// Learns shapelets and clusters from `episodes` without their outcomes. Then names the clusters by the outcomes, if
+/// there are any. Episodes must have one sample period and may differ in length.
+/// \throws std::invalid_argument if options are out of range, there are fewer episodes than clusters, an episode has
+///   fewer than 2 samples, sample periods differ, a value is not finite, all episodes are flat, or no scale has enough
+///   windows that are not flat. \throws Cancelled if `progress` cancels it.
 TrainingResult TrainModel(const std::vector<Episode>& episodes, const TrainerOptions& options,
                           const ProgressCallback& progress = nullptr);
 

@@ -6,12 +6,12 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Shortest augmenting paths with potentials (Kuhn-Munkres in O(R^2 C)), for R <= C.
+/// Shortest augmenting paths with potentials, for R <= C: the Hungarian method in O(R^2 C).
 std::vector<int> AssignRows(const Eigen::MatrixXd& cost) {
   const auto rows = static_cast<int>(cost.rows());
   const auto columns = static_cast<int>(cost.cols());
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Row and column 0 stand for "none", so that paths have a start.
+  // Row and column 0 stand for "none". Paths start there.
   std::vector<double> row_potential(rows + 1, 0.0);
   std::vector<double> column_potential(columns + 1, 0.0);
   std::vector<int> row_of(columns + 1, 0);

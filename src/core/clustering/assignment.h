@@ -8,9 +8,9 @@
 
 namespace contact_shapelets::core {
 
-/// The assignment of rows to columns of `cost` [R, C] with the least sum (Hungarian method; Kuhn 1955, Munkres 1957).
-/// Returns for each row its column, -1 for rows left over where R > C.
-/// \throws std::invalid_argument where a cost is not finite.
+/// Assigns rows to columns of `cost` [R, C] so that the sum is least (Hungarian method; Kuhn 1955, Munkres 1957).
+/// Returns the column of each row. If R > C, the R - C rows left over get -1.
+/// \throws std::invalid_argument if a cost is not finite.
 std::vector<int> LeastCostAssignment(const Eigen::Ref<const Eigen::MatrixXd>& cost);
 
 }  // namespace contact_shapelets::core

@@ -12,7 +12,7 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// The views, each as often as it has voters.
+/// Returns the view of each voter.
 std::vector<const View*> Voters(const std::vector<View>& views) {
   std::vector<const View*> voters;
   for (const View& view : views) {
@@ -27,7 +27,7 @@ std::vector<const View*> Voters(const std::vector<View>& views) {
   return voters;
 }
 
-/// The part [N] that each series falls into for one voter.
+/// Returns the part [N] that one voter puts each series into.
 Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
   Random random(StreamSeed(seed, 0));
   const auto columns = static_cast<int>(view.features.cols());
@@ -46,7 +46,7 @@ Eigen::VectorXi Vote(const View& view, int clusters, std::uint64_t seed) {
   return KMeans(points, options).labels;
 }
 
-/// The one-hot parts of all votes side by side, [N, parts].
+/// Returns the one-hot parts of all votes side by side, [N, parts].
 Eigen::MatrixXf Ballots(const std::vector<Eigen::VectorXi>& votes) {
   Eigen::Index parts = 0;
   for (const Eigen::VectorXi& vote : votes) parts += vote.maxCoeff() + 1;
@@ -66,7 +66,7 @@ Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusO
   const std::vector<const View*> voters = Voters(views);
   const auto count = static_cast<int>(voters.size());
   std::vector<Eigen::VectorXi> votes(voters.size());
-  // A round is long enough to keep the threads busy, and short enough to be told of.
+  // A round keeps all threads busy, and is short enough to report progress after it.
   const int round = 4 * std::max(1, std::min(threads, count));
   for (int first = 0; first < count; first += round) {
     const int last = std::min(count, first + round);

@@ -11,7 +11,8 @@ namespace {
 
 using RowMajor = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Squared distances of all points [N, D] to all centroids [C, D], up to the points' own energy: [N, C].
+/// Returns |c|^2 - 2 p^T c [N, C] for points p [N, D] and centroids c [C, D]: their squared distances without the
+/// |p|^2, which do not matter for the nearest centroid.
 Eigen::MatrixXf RelativeDistances(const RowMajor& points, const Eigen::Ref<const Eigen::MatrixXf>& centroids) {
   Eigen::MatrixXf distances = -2.0F * (points * centroids.transpose());
   distances.rowwise() += centroids.rowwise().squaredNorm().transpose();
@@ -32,7 +33,7 @@ Eigen::MatrixXf PlusPlusStart(const RowMajor& points, int clusters, Random* rand
   return centroids;
 }
 
-/// Means of the clusters' points; an empty cluster takes the point farthest from its centroid.
+/// Sets centroids to the means of the clusters' points. An empty cluster takes the point farthest from its centroid.
 void UpdateCentroids(const RowMajor& points, Eigen::VectorXi* labels, Eigen::MatrixXf* centroids) {
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(centroids->rows(), centroids->cols());
   Eigen::VectorXi counts = Eigen::VectorXi::Zero(centroids->rows());
@@ -117,7 +118,7 @@ KMeansResult KMeans(const Eigen::Ref<const Eigen::MatrixXf>& points, const KMean
                                 std::to_string(options.clusters) + " clusters");
   }
   if (!points.allFinite()) throw std::invalid_argument("K-means was given a value that is not finite");
-  // About the mean, where squared distances keep the most of a float's digits.
+  // Points near the origin keep the most digits in squared distances.
   const Eigen::RowVectorXf middle = points.cast<double>().colwise().mean().cast<float>();
   const RowMajor rows = points.rowwise() - middle;
   Random random(options.seed);

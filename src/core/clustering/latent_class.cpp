@@ -7,12 +7,11 @@ namespace contact_shapelets::core {
 namespace {
 
 constexpr int kMostRounds = 200;
-/// What no membership must change by any more.
+/// The rounds end when no membership changes by this much.
 constexpr double kSettled = 1e-4;
-/// Part of a series' membership that the start leaves in doubt, so that it can be left again.
+/// Part of each series' membership that the start spreads over all classes, so that a series can change its class.
 constexpr double kDoubt = 0.2;
-/// Series that each class is thought to hold beside its own, spread evenly over a voter's parts: none has probability
-/// 0.
+/// Number of series added to each class, spread evenly over a voter's parts, so that no part has probability 0.
 constexpr double kPrior = 0.5;
 
 void Check(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eigen::VectorXi>& start, int classes) {
@@ -24,7 +23,7 @@ void Check(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eig
   }
 }
 
-/// log P(part | class) of one voter, [parts, classes], from how many series of each class fell into each part.
+/// Returns log P(part | class) of one voter, [parts, classes], by the number of series of each class in each part.
 Eigen::MatrixXd LogProbabilities(const Eigen::VectorXi& vote, const Eigen::Ref<const Eigen::MatrixXd>& memberships) {
   const int parts = vote.maxCoeff() + 1;
   Eigen::MatrixXd counts = Eigen::MatrixXd::Constant(parts, memberships.cols(), kPrior / parts);
@@ -33,7 +32,7 @@ Eigen::MatrixXd LogProbabilities(const Eigen::VectorXi& vote, const Eigen::Ref<c
   return (counts.array().rowwise() / totals.array()).log();
 }
 
-/// P(class | votes) of each series, [N, classes], by the probabilities that `memberships` give.
+/// Returns P(class | votes) of each series, [N, classes]: an E-step with the probabilities that `memberships` give.
 Eigen::MatrixXd Reestimated(const std::vector<Eigen::VectorXi>& votes,
                             const Eigen::Ref<const Eigen::MatrixXd>& memberships) {
   const Eigen::RowVectorXd shares = (memberships.colwise().sum().array() + 1.0).log();

@@ -11,20 +11,20 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Adds `weight` times what a match compares a shapelet with: the z-normalised window, shifted, zeros where it does not
-/// overlap.
+/// Adds `weight` times the values that a match compares the shapelet with: the z-normalised window, shifted, and zeros
+/// outside of the overlap.
 void AddMatchedValues(const WindowSet& windows, const Match& match, double weight, Eigen::VectorXd* sum) {
   const int overlap = windows.length() - std::abs(match.shift);
   const auto samples = windows.series().segment(match.window + std::max(0, match.shift), overlap);
   const double mean = windows.mean()[match.window];
   const double inverse = windows.inverse_deviation()[match.window];
-  // Rounded as NormalisedWindow() is.
+  // Rounds as NormalisedWindow() does.
   sum->segment(std::max(0, -match.shift), overlap).array() +=
       weight * ((samples.cast<double>().array() - mean) * inverse).cast<float>().cast<double>();
 }
 
-/// What a shapelet may move by from one search of a series to the next for noting which blocks are low to pay: some
-/// half of what low values lag behind by.
+/// It pays to note low blocks if a value of a shapelet moves by at most this from one search of a series to the next: a
+/// little over half of the lag of low values.
 constexpr double kMostMoved = 0.05;
 
 double Distance(const Match& match) { return match.window < 0 ? 1.0 : 1.0 - static_cast<double>(match.similarity); }
@@ -76,7 +76,7 @@ double BankLearner::Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gr
 
 void BankLearner::FindMatches(const std::vector<int>& chosen) {
   const ShapeletSet set(shapelets_.cast<float>());
-  // A step of Adam changes a value by the learning rate or less.
+  // A step of Adam changes a value by about the learning rate or less.
   const double steps_between = static_cast<double>(series_.size()) / static_cast<double>(chosen.size());
   const bool often = steps_between * options_.learning_rate <= kMostMoved;
   if (often) history_.Add(set);
@@ -103,7 +103,7 @@ Eigen::MatrixXd BankLearner::BatchWeights(const std::vector<int>& chosen) const 
 Eigen::MatrixXd BankLearner::ShapeletGradient(const std::vector<int>& chosen,
                                               const Eigen::Ref<const Eigen::MatrixXd>& distance_gradient) const {
   // With s^z = (s - mean) / sigma and F = 1 - s^z x / M:
-  //   dF/ds = -(x - mean(x) - s^z (s^z x) / M) / (M sigma), linear in x, so that matches can be summed up first.
+  //   dF/ds = -(x - mean(x) - s^z (s^z x) / M) / (M sigma). It is linear in x, so matches are summed first.
   Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(shapelets_.rows(), shapelets_.cols());
   const auto length = static_cast<double>(shapelets_.cols());
   ParallelFor(static_cast<int>(shapelets_.rows()), threads_, [&](int k) {
@@ -135,7 +135,7 @@ void BankLearner::AdamStep(const Eigen::Ref<const Eigen::MatrixXd>& gradient) {
   const double second_scale = 1.0 / (1.0 - std::pow(kSecondDecay, step_));
   shapelets_.array() -= options_.learning_rate * first_scale * first_moment_.array() /
                         ((second_scale * second_moment_.array()).sqrt() + 1e-8);
-  // A proximal step reaches exact zeros, where a sub-gradient would only hover around them.
+  // A proximal step reaches exact zeros; a sub-gradient would only hover around them.
   if (options_.sparsity > 0.0) ShrinkToZero(options_.learning_rate * options_.sparsity, shapelets_);
 }
 

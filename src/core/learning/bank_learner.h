@@ -13,15 +13,15 @@
 
 namespace contact_shapelets::core {
 
-/// Learns the shapelets of one bank: stochastic gradient steps of Adam on the objective of the paper (equation 6).
+/// Learns the shapelets of one bank by stochastic gradient steps of Adam on the objective of the paper (equation 6).
 ///
-/// Each step is a sum over a batch of series: their best matches, then an exchange of the N x K distances, then each
-/// shapelet's own gradient. Batches are what keeps memory and time from growing with the square of the number of
-/// series.
+/// Each step takes a random batch of series. It finds their best matches, computes the objective from the distances,
+/// and then the gradient of each shapelet. Because of batches, memory and time do not grow with the square of the
+/// number of series.
 class BankLearner {
  public:
-  /// `series` are z-normalised, `distances` are theirs, for their similarity G; both outlive the learner. `start` is
-  /// [K, M].
+  /// Starts with the shapelets `start` [K, M]. `series` are z-normalised, and `distances` are theirs, for their
+  /// similarity G. Both must outlive the learner.
   BankLearner(const std::vector<Eigen::VectorXf>& series, const SeriesDistances& distances,
               const Eigen::Ref<const Eigen::MatrixXf>& start, const LearnerOptions& options, std::uint64_t seed,
               int threads);
@@ -29,11 +29,11 @@ class BankLearner {
   /// One step on a random batch. Returns the objective before the step.
   double Step();
 
-  /// The objective and its gradient by the raw shapelets [K, M], for the given series (indices), without the L1 term,
-  /// which is handled by its proximal step.
+  /// Returns the objective for the `chosen` series (indices), and its gradient by the raw shapelets [K, M]. Both are
+  /// without the L1 term, which has a proximal step of its own.
   double Evaluate(const std::vector<int>& chosen, Eigen::MatrixXd* gradient);
 
-  /// The raw shapelets [K, M]; zeros at their ends are what the L1 term cut.
+  /// The raw shapelets [K, M]. The L1 term may have set values at their ends to zero.
   Eigen::MatrixXf shapelets() const { return shapelets_.cast<float>(); }
   /// Replaces the raw shapelets [K, M].
   void set_shapelets(const Eigen::Ref<const Eigen::MatrixXd>& shapelets) { shapelets_ = shapelets; }
@@ -57,10 +57,10 @@ class BankLearner {
   Eigen::MatrixXd second_moment_;
   int step_ = 0;
   double objective_ = 0.0;
-  std::vector<std::unique_ptr<WindowSet>> windows_;  ///< of each series, made when first needed
-  std::vector<std::vector<Match>> matches_;          ///< of each series at the last step that it took part in
-  std::vector<LowBlocks> low_blocks_;                ///< of each series, of its steps so far
-  ShapeletHistory history_;                          ///< of the shapelets at these
+  std::vector<std::unique_ptr<WindowSet>> windows_;  ///< by series, made when first needed
+  std::vector<std::vector<Match>> matches_;          ///< by series, from the last step that it took part in
+  std::vector<LowBlocks> low_blocks_;                ///< by series, from the steps so far
+  ShapeletHistory history_;                          ///< the shapelets of the last steps
 };
 
 }  // namespace contact_shapelets::core

@@ -24,7 +24,8 @@ std::vector<Eigen::VectorXf> AllZNormalised(const std::vector<Eigen::VectorXf>& 
   return normalised;
 }
 
-/// First and one behind last of the values that are not zero, widened to at least `shortest` values.
+/// Returns the first index and the end of the values without leading and trailing zeros, widened to at least `shortest`
+/// values.
 std::pair<int, int> UsedRange(const Eigen::Ref<const Eigen::VectorXf>& values, int shortest) {
   const auto size = static_cast<int>(values.size());
   int first = 0;

@@ -6,8 +6,8 @@ namespace contact_shapelets::core {
 
 std::string LearnerOptions::Faults() const {
   std::ostringstream faults;
-  const auto require = [&faults](bool well, const char* name, const char* range, double value) {
-    if (!well) faults << name << " must be " << range << ", but is " << value << '\n';
+  const auto require = [&faults](bool valid, const char* name, const char* range, double value) {
+    if (!valid) faults << name << " must be " << range << ", but is " << value << '\n';
   };
   require(!scales.empty(), "scales", "a list of at least one number", 0.0);
   for (const double scale : scales) require(scale > 0.0 && scale < 1.0, "scales", "in (0, 1)", scale);

@@ -72,7 +72,7 @@ Term DiversityTerm(const Eigen::Ref<const Eigen::MatrixXd>& shapelets, double va
   Eigen::MatrixXd squared = -2.0 * shapelets * shapelets.transpose();
   squared.colwise() += energy;
   squared.rowwise() += energy.transpose();
-  // H^2 = exp(-2 |s_k - s_l|^2 / variance), so each pair's gradient is -4 H^2 (s_k - s_l) / variance, counted twice.
+  // H^2 = exp(-2 |s_k - s_l|^2 / variance). Each pair's gradient is -4 H^2 (s_k - s_l) / variance and counts twice.
   const Eigen::MatrixXd squared_similarity = (-2.0 * squared.array().max(0.0) / variance).exp().matrix();
   Term term;
   term.value = squared_similarity.sum();

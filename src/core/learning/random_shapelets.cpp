@@ -11,10 +11,10 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Of a z-normalised series; windows that move less hold rounding errors.
+/// Windows of a z-normalised series with less deviation are flat: they may hold rounding errors alone.
 constexpr float kLeastDeviation = 1e-3F;
 
-/// 1 / (length sigma) of the dilated windows of a series; 0 where a window is flat.
+/// Returns 1 / (length sigma) of the dilated windows of a series; 0 if a window is flat.
 Eigen::ArrayXf WindowScales(const Eigen::Ref<const Eigen::VectorXf>& series, int length, int dilation) {
   const Eigen::Index windows = series.size() - Reach(length, dilation) + 1;
   Eigen::ArrayXf sums = Eigen::ArrayXf::Zero(windows);
@@ -26,10 +26,10 @@ Eigen::ArrayXf WindowScales(const Eigen::Ref<const Eigen::VectorXf>& series, int
   return (deviations > kLeastDeviation).select((deviations * static_cast<float>(length)).inverse(), 0.0F);
 }
 
-/// Normalised cross-correlation of a z-normalised shapelet with each dilated window.
+/// Computes the normalised cross-correlation of a z-normalised shapelet with each dilated window.
 void Correlate(const Eigen::Ref<const Eigen::VectorXf>& series, const Eigen::VectorXf& shapelet, int dilation,
                const Eigen::ArrayXf& scales, Eigen::ArrayXf* correlations) {
-  // The shapelet's values sum up to zero, so that the windows' means drop out.
+  // The shapelet's values sum to zero, so the windows' means drop out.
   correlations->setZero(scales.size());
   for (Eigen::Index m = 0; m < shapelet.size(); ++m) {
     *correlations += shapelet[m] * series.segment(m * dilation, scales.size()).array();
@@ -37,7 +37,8 @@ void Correlate(const Eigen::Ref<const Eigen::VectorXf>& series, const Eigen::Vec
   *correlations *= scales;
 }
 
-/// A z-normalised dilated subsequence at a random place; of several tries the first that is not flat.
+/// Draws z-normalised dilated subsequences at random and returns the first that is not flat; zeros if all tries are
+/// flat.
 Eigen::VectorXf DrawnSubsequence(const std::vector<Eigen::VectorXf>& series, int length, int dilation, Random* random) {
   constexpr int kTries = 30;
   const int reach = Reach(length, dilation);

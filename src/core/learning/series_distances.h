@@ -5,18 +5,18 @@
 
 namespace contact_shapelets::core {
 
-/// The squared Euclidean distances of series stretched to one length, which all banks of a training share: the
-/// similarities of their batches need them at every step.
+/// The squared Euclidean distances of series, stretched to one length. Every step of every bank of a training needs
+/// them for the similarities of its batch, so the banks share them.
 class SeriesDistances {
  public:
-  /// `series` outlive this and are stretched to `length` samples.
+  /// Stretches `series` to `length` samples. `series` must outlive this object.
   SeriesDistances(const std::vector<Eigen::VectorXf>& series, int length);
 
-  /// SquaredDistances() of the `chosen` series (indices), [C, C].
+  /// Returns SquaredDistances() of the `chosen` series (n indices), [n, n].
   Eigen::MatrixXd Among(const std::vector<int>& chosen) const;
 
  private:
-  /// Of more series the table of all would grow beyond what it saves; those that are asked for are computed then.
+  /// For more series, a table of all distances costs more than it saves. Among() then computes those that it returns.
   static constexpr std::size_t kMostInTable = 2000;
 
   Eigen::MatrixXd Compute(const std::vector<int>& chosen) const;

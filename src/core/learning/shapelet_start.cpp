@@ -30,7 +30,7 @@ Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int l
     for (int start = 0; start <= last; start += stride) places.push_back({index, start});
   }
 
-  // Drawn in random order until there are enough, so that the cost does not grow with the number of series.
+  // Draws windows in random order until there are enough, so that the time does not grow with the number of series.
   Random random(StreamSeed(seed, 0));
   const auto total = static_cast<int>(places.size());
   Eigen::MatrixXf windows(std::min(most_windows, total), length);

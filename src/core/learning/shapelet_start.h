@@ -9,11 +9,11 @@
 
 namespace contact_shapelets::core {
 
-/// K shapelets [K, M]: K-means centroids of the z-normalised windows of `series`.
+/// Returns `count` shapelets of `length` samples [K, M]: K-means centroids of the z-normalised windows of `series`.
 ///
-/// `series` are z-normalised; one shorter than `length` is extended by its last value. Windows are taken at a stride of
-/// max(1, M / 8); flat ones (standard deviation under `flat_fraction`, the series having one of 1) are left out; at the
-/// most `most_windows` are drawn at random. Returns a matrix without rows where fewer than 2K windows are left.
+/// `series` are z-normalised. A series shorter than `length` is extended by its last value. Windows begin at every
+/// max(1, M / 8)-th sample. Up to `most_windows` of them are drawn at random, without flat ones (standard deviation of
+/// `flat_fraction` or less). Returns a matrix without rows if there are fewer than 2K such windows.
 Eigen::MatrixXf StartShapelets(const std::vector<Eigen::VectorXf>& series, int length, int count, double flat_fraction,
                                int most_windows, std::uint64_t seed);
 
