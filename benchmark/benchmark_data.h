@@ -14,15 +14,16 @@ namespace contact_shapelets {
 constexpr int kEpisodeLength = 433;
 constexpr int kShapelets = 19;
 
-/// A random walk of normal steps.
+/// Returns a random walk of `count` normal steps.
 Eigen::VectorXf RandomWalk(int count, std::uint64_t seed);
 
-/// `count` switch pushes of kEpisodeLength samples: those of bags/switch_push_train.bag in turn, stretched, each time
-/// with fresh noise of 0.3 N. CONTACT_SHAPELETS_BAGS names the folder.
+/// Returns `count` switch pushes of kEpisodeLength samples: those of bags/switch_push_train.bag in turn, stretched,
+/// each with fresh noise of 0.3 N. The environment variable CONTACT_SHAPELETS_BAGS names the folder of the bag. \throws
+/// std::runtime_error if it is not set.
 std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed);
 
-/// Seconds of processor time that `work` takes in all threads. On a machine with other load the time on the clock would
-/// grow with the length of what is measured, since long work is interrupted and short work is not.
+/// Returns the seconds of processor time that `work` takes in all threads. Time on the clock would not compare on a
+/// machine with other load, which interrupts long work but not short work.
 template <typename Work>
 double SecondsOf(const Work& work) {
   const auto now = [] {
@@ -35,10 +36,10 @@ double SecondsOf(const Work& work) {
   return now() - start;
 }
 
-/// The value below which `part` of `values` lie.
+/// Returns the quantile `part` [0, 1] of `values`.
 double Quantile(std::vector<double> values, double part);
 
-/// Reports a ratio: `seconds` of what is measured, and `reference_seconds` of what it is compared with.
+/// Reports the two sides of a ratio: the measured `seconds`, and the `reference_seconds` that they are compared with.
 void Report(benchmark::State* state, double seconds, double reference_seconds);
 
 }  // namespace contact_shapelets

@@ -19,7 +19,7 @@ using core::WindowSet;
 
 constexpr int kRounds = 60;
 
-/// Series, and shapelets that they did not contribute to.
+/// Series, and shapelets that are not cut from them.
 struct Workload {
   std::vector<Eigen::VectorXf> series;
   Eigen::MatrixXf shapelets;
@@ -32,7 +32,7 @@ Workload Walks(int length) {
   return workload;
 }
 
-/// Shapelets are cut out at random places of other pushes, where these move.
+/// Cuts shapelets from other pushes at random, but not from flat parts.
 Workload Pushes(int length) {
   Workload workload{{}, Eigen::MatrixXf(kShapelets, length)};
   for (const core::Episode& push : SwitchPushes(kRounds, 1)) workload.series.push_back(core::ZNormalised(push.force));
@@ -79,8 +79,9 @@ BENCHMARK(KernelAgainstFftw)
     ->Iterations(1)
     ->UseManualTime();
 
-/// Multiply-adds of the algebra: one per sample of each full overlap; for each shift of each window one that takes a
-/// sample out of the sum and one for the window's mean. What is needed to compare with the best is not counted.
+/// Returns the number of multiply-adds that the algebra needs: one for each sample of a full overlap, and two for each
+/// shift of each window, one to change the sum by a sample and one for the window's mean. Comparisons with the best are
+/// not counted.
 double NeededMultiplyAdds(int length) {
   const double windows = kEpisodeLength - length + 1;
   return windows * length + 2.0 * windows * 2.0 * (length - 1);
@@ -112,7 +113,7 @@ BENCHMARK(UnprunedKernelAgainstPeak)
     ->Iterations(1)
     ->UseManualTime();
 
-/// The definition as one would write it down: every window, every shift, every sample.
+/// The definition as a plain loop over every window, every shift and every sample.
 float NaiveBest(const float* series, const float* shapelet, int length) {
   float best = -1.0F;
   std::vector<float> window(static_cast<std::size_t>(length));
@@ -146,7 +147,7 @@ void KernelAgainstNaiveLoop(benchmark::State& state) {
       const Eigen::VectorXf& series = workload.series[index];
       const WindowSet windows(series, shapelets.length(), FlatDeviation(state));
       seconds.push_back(SecondsOf([&] { FindBestMatches(windows, shapelets, {}, MatchOptions{}, &memory, &matches); }));
-      // One shapelet of all is enough for the naive loop, which takes each as long.
+      // The naive loop takes equally long for each shapelet, so one is enough.
       const float* shapelet = shapelets.normalised().col(static_cast<Eigen::Index>(index) % kShapelets).data();
       reference.push_back(kShapelets * SecondsOf([&] {
                             benchmark::DoNotOptimize(NaiveBest(series.data(), shapelet, shapelets.length()));

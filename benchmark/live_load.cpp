@@ -1,5 +1,5 @@
-/// Drives running nodes as robots would, and measures them: the time from the last wrench of an episode to its
-/// diagnosis, and the samples that were lost. Run by scripts/soak.sh.
+/// Drives running nodes as robots would, and measures the time from the last wrench of an episode to its diagnosis, and
+/// the number of samples lost. scripts/soak.sh runs it.
 
 #include <contact_shapelets/Diagnosis.h>
 #include <contact_shapelets/EpisodeEvent.h>
@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -105,7 +106,7 @@ class Robot {
   ros::Subscriber diagnosis_subscriber_;
 };
 
-/// What each episode node says that it has received.
+/// The number of samples that each episode node says it has received.
 class Received {
  public:
   Received()
@@ -138,61 +139,60 @@ double Quantile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+struct Arguments {
   int robots = 1;
   double rate = 1000.0;
   double seconds = 120.0;
-  ros::init(argc, argv, "live_load");
+};
+
+/// Reads the command line. Returns nothing, after a message, if it is wrong.
+std::optional<Arguments> ReadArguments(int argc, char** argv) {
+  Arguments arguments;
   namespace po = boost::program_options;
   po::options_description options("Drives the nodes in the namespaces robot0, robot1, ... and measures them");
-  options.add_options()("robots", po::value(&robots), "Number of robots, 1 to 64");
-  options.add_options()("rate", po::value(&rate), "[Hz] of each wrench, 10 to 2000");
-  options.add_options()("seconds", po::value(&seconds), "Duration, above 0");
+  options.add_options()("robots", po::value(&arguments.robots), "Number of robots, 1 to 64");
+  options.add_options()("rate", po::value(&arguments.rate), "[Hz] of each wrench, 10 to 2000");
+  options.add_options()("seconds", po::value(&arguments.seconds), "Duration, above 0");
   try {
     po::variables_map values;
     po::store(po::parse_command_line(argc, argv, options), values);
     po::notify(values);
   } catch (const po::error& error) {
     std::cerr << "live_load: " << error.what() << '\n' << options;
-    return 2;
+    return std::nullopt;
   }
-  if (robots < 1 || robots > 64 || !(rate >= 10.0 && rate <= 2000.0) || !(seconds > 0.0)) {
-    std::cerr << "live_load: a value is out of range\n" << options;
-    return 2;
-  }
-  ros::AsyncSpinner spinner(1);
-  spinner.start();
-  const Received received;
-  std::vector<std::unique_ptr<Robot>> all;
-  all.reserve(static_cast<std::size_t>(robots));
-  for (int index = 0; index < robots; ++index) {
-    all.push_back(std::make_unique<Robot>("robot" + std::to_string(index), rate));
-  }
-  for (const auto& robot : all) {
-    if (!robot->WaitForConnections()) {
-      std::fprintf(stderr, "live_load: the nodes of robot0 to robot%d are not all there\n", robots - 1);
-      return 1;
-    }
-  }
-  ros::WallRate pace(rate);
+  const bool valid = arguments.robots >= 1 && arguments.robots <= 64 && arguments.rate >= 10.0 &&
+                     arguments.rate <= 2000.0 && arguments.seconds > 0.0;
+  if (valid) return arguments;
+  std::cerr << "live_load: a value is out of range\n" << options;
+  return std::nullopt;
+}
+
+using Robots = std::vector<std::unique_ptr<Robot>>;
+
+/// Sends wrenches of all robots for the given time. Returns how long that took [s].
+double Drive(const Robots& robots, const Arguments& arguments) {
+  ros::WallRate pace(arguments.rate);
   const ros::WallTime start = ros::WallTime::now();
-  double elapsed = 0.0;
-  for (std::int64_t sent = 0; ros::ok() && elapsed < seconds; elapsed = (ros::WallTime::now() - start).toSec()) {
-    // A driver that was late sends what it missed, so that the rate holds.
-    for (; static_cast<double>(sent) <= elapsed * rate; ++sent) {
-      for (const auto& robot : all) robot->Send();
+  const auto elapsed = [&start] { return (ros::WallTime::now() - start).toSec(); };
+  std::int64_t sent = 0;
+  for (double time = 0.0; ros::ok() && time < arguments.seconds; time = elapsed()) {
+    // After a delay, sends what is missing, so that the rate holds.
+    for (; static_cast<double>(sent) <= time * arguments.rate; ++sent) {
+      for (const auto& robot : robots) robot->Send();
     }
     pace.sleep();
   }
-  const double duration = (ros::WallTime::now() - start).toSec();
+  return elapsed();
+}
 
+/// Prints what the nodes received and diagnosed. Returns the number of samples lost.
+std::int64_t PrintResults(const Robots& robots, const Received& received, double duration) {
   std::int64_t lost = 0;
   std::int64_t sent = 0;
   std::vector<double> latencies;
-  for (int index = 0; index < robots; ++index) {
-    const Robot& robot = *all[static_cast<std::size_t>(index)];
+  for (std::size_t index = 0; index < robots.size(); ++index) {
+    const Robot& robot = *robots[index];
     const std::string name = "robot" + std::to_string(index);
     WaitUntil([&] { return received.Of(name) >= robot.sent(); });
     lost += robot.sent() - received.Of(name);
@@ -200,10 +200,33 @@ int main(int argc, char** argv) {
     const std::vector<double> of_robot = robot.Latencies();
     latencies.insert(latencies.end(), of_robot.begin(), of_robot.end());
   }
-  std::printf("%d robots, %.0f Hz reached for each, %" PRId64 " wrenches sent, %" PRId64
+  std::printf("%zu robots, %.0f Hz reached for each, %" PRId64 " wrenches sent, %" PRId64
               " lost, %zu episodes diagnosed\n",
-              robots, static_cast<double>(sent) / duration / robots, sent, lost, latencies.size());
+              robots.size(), static_cast<double>(sent) / duration / static_cast<double>(robots.size()), sent, lost,
+              latencies.size());
   std::printf("last wrench sent to diagnosis received: median %.2f ms, p99 %.2f ms, longest %.2f ms\n",
               Quantile(latencies, 0.5), Quantile(latencies, 0.99), Quantile(latencies, 1.0));
-  return lost == 0 ? 0 : 1;
+  return lost;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "live_load");
+  const std::optional<Arguments> arguments = ReadArguments(argc, argv);
+  if (!arguments) return 2;
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  const Received received;
+  Robots robots;
+  for (int index = 0; index < arguments->robots; ++index) {
+    robots.push_back(std::make_unique<Robot>("robot" + std::to_string(index), arguments->rate));
+  }
+  for (const auto& robot : robots) {
+    if (robot->WaitForConnections()) continue;
+    std::fprintf(stderr, "live_load: not all nodes of robot0 to robot%d are there\n", arguments->robots - 1);
+    return 1;
+  }
+  const double duration = Drive(robots, *arguments);
+  return PrintResults(robots, received, duration) == 0 ? 0 : 1;
 }

@@ -7,9 +7,9 @@
 namespace contact_shapelets {
 namespace {
 
-// Clang does not take registers wider than the program's own in an inlined function.
+// Clang refuses inlined functions with wider registers than those that the program is built for.
 #if defined(__x86_64__) && !defined(__clang__)
-/// Inlined into functions for wider instruction sets than the rest of the program is built for.
+/// The callers have wider instruction sets than the rest of the program, so it must be inlined into them.
 template <int Lanes>
 inline __attribute__((always_inline)) double Peak(int rounds) {
   typedef float Vector __attribute__((vector_size(Lanes * sizeof(float))));
@@ -20,7 +20,7 @@ inline __attribute__((always_inline)) double Peak(int rounds) {
   for (int round = 0; round < rounds; ++round) {
     a = a * factor + term, b = b * factor + term, c = c * factor + term, d = d * factor + term, e = e * factor + term;
     f = f * factor + term, g = g * factor + term, h = h * factor + term, i = i * factor + term, j = j * factor + term;
-    // The chains are equal: without this they would be merged into one.
+    // Without this the compiler would merge the equal chains into one.
     __asm__ volatile("" : "+x"(a), "+x"(b), "+x"(c), "+x"(d), "+x"(e));
     __asm__ volatile("" : "+x"(f), "+x"(g), "+x"(h), "+x"(i), "+x"(j));
   }

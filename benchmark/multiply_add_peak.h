@@ -2,8 +2,8 @@
 
 namespace contact_shapelets {
 
-/// Runs `rounds` rounds of independent multiply-adds on registers with the named instruction set (as
-/// KernelInstructionSet() names it), and returns how many single-precision ones that were.
+/// Runs `rounds` rounds of independent multiply-adds on registers with `instruction_set`, a name of
+/// KernelInstructionSet(). Returns the number of single-precision multiply-adds; 0 if the compiler cannot build them.
 double MultiplyAdds(const char* instruction_set, int rounds);
 
 }  // namespace contact_shapelets

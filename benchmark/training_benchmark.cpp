@@ -40,7 +40,7 @@ const Training& DefaultTraining() {
   return training;
 }
 
-/// Shapelets by length.
+/// Returns the shapelets by the samples that they span.
 std::map<int, std::vector<const core::Shapelet*>> ByLength(const core::Model& model) {
   std::map<int, std::vector<const core::Shapelet*>> groups;
   for (const core::Shapelet& shapelet : model.shapelets) {
@@ -49,8 +49,8 @@ std::map<int, std::vector<const core::Shapelet*>> ByLength(const core::Model& mo
   return groups;
 }
 
-/// Seconds that the paper's formulation takes for the features of one push: the median of several. A dilated shapelet
-/// is matched in each phase.
+/// Returns the seconds that the paper's formulation takes for the features of one push, the median of `pushes`. A
+/// dilated shapelet is matched in each phase.
 double FftwSecondsPerPush(const core::Model& model, const std::vector<core::Episode>& pushes) {
   double total = 0.0;
   std::map<std::pair<int, int>, std::vector<const core::Shapelet*>> groups;
@@ -80,9 +80,9 @@ double FftwSecondsPerPush(const core::Model& model, const std::vector<core::Epis
   return total;
 }
 
-/// The reference is the time that the paper's formulation takes for the matches alone, measured on 7 pushes and
-/// multiplied by how many the training matches; everything else that a training does is left out of it. Both are
-/// processor time of all threads.
+/// The reference is the time that the paper's formulation takes for the matches alone: measured on 7 pushes and
+/// multiplied by the number of pushes that the training matches, without the rest of a training. Both are processor
+/// time of all threads.
 void DefaultTrainingAgainstFftw(benchmark::State& state) {
   const std::vector<core::Episode> pushes = SwitchPushes(7, 5);
   for (auto _ : state) {
@@ -117,7 +117,8 @@ void FeaturesOfOneEpisode(benchmark::State& state) {
 }
 BENCHMARK(FeaturesOfOneEpisode)->Iterations(1)->UseManualTime();
 
-/// The reference is the training of a tenth of the episodes; memory is the process's peak so far, so the order matters.
+/// The reference is a training on a tenth of the episodes. Memory is the peak of the process so far, so smaller
+/// trainings must run first.
 void TrainingOfTenTimesAsMany(benchmark::State& state) {
   const auto episodes = static_cast<int>(state.range(0));
   for (auto _ : state) {

@@ -19,11 +19,11 @@ namespace {
 constexpr double kPinRadius = 0.008;          // [m] from the hinge to the spring's pin
 constexpr double kAnchorDistance = 0.014;     // [m] from the hinge to the spring's anchor
 constexpr double kSpringFreeLength = 0.0086;  // [m]
-constexpr double kLeverFriction = 0.005;      // [Nm] that a moving hinge never falls below
+constexpr double kLeverFriction = 0.005;      // [Nm] least friction of the hinge
 
 using RowJacobian = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// MuJoCo's own handlers wait for a key, and write a file where the program happens to run.
+/// MuJoCo's own handlers wait for a key and write a file into the working directory.
 void ReportToStandardError() {
   mju_user_warning = [](const char* message) { std::fprintf(stderr, "MuJoCo: %s\n", message); };
   mju_user_error = [](const char* message) {
@@ -35,12 +35,12 @@ void ReportToStandardError() {
 mjModel* CompileModel() {
   static std::once_flag reported;
   std::call_once(reported, ReportToStandardError);
-  // Too large for a stack.
+  // It is too large for the stack.
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   const std::string text = kIiwa7CellXml;
   if (mj_makeEmptyFileVFS(files.get(), "iiwa7_cell.xml", static_cast<int>(text.size())) != 0) {
-    throw std::runtime_error("MuJoCo did not take the model of the cell");
+    throw std::runtime_error("MuJoCo refused the file with the model of the cell");
   }
   std::memcpy(files->filedata[0], text.data(), text.size());
   char message[1000] = "";
@@ -137,7 +137,7 @@ Eigen::Vector3d CellModel::ContactForce() const {
     double force[6];
     mj_contactForce(model_.get(), data_.get(), index, force);
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> frame(contact.frame);
-    // The frame's first axis points from the first geom to the second, which the force pushes.
+    // The frame's first axis points from the first geom to the second; the force pushes the second.
     const double sign = model_->geom_bodyid[contact.geom1] == tool_body_ ? -1.0 : 1.0;
     sum += sign * frame.transpose() * Eigen::Map<const Eigen::Vector3d>(force);
   }
@@ -156,7 +156,7 @@ void CellModel::SetUp(const PushCondition& condition) {
   model_->pair_friction[5 * lever_pair_] = condition.finger_friction;
   model_->pair_friction[5 * lever_pair_ + 1] = condition.finger_friction;
 
-  // What a push does not have is put out of reach; contacts of a margin below 0 do not arise.
+  // A missing lever has a margin below 0, at which contacts do not arise. An obstacle that is not there is far away.
   const bool missing = condition.outcome == Outcome::kMissing;
   model_->pair_margin[lever_pair_] = missing ? -1.0 : 0.0;
   model_->geom_rgba[4 * lever_geom_ + 3] = missing ? 0.0F : 1.0F;
@@ -192,7 +192,7 @@ void CellModel::PlaceTip(const Eigen::Vector3d& position) {
 }
 
 Eigen::Vector3d CellModel::TaughtContact(double engagement) const {
-  // The round end of a lever that is off is its lowest part.
+  // The lowest part of a lever that is off is its round end.
   const Eigen::Vector3d toggle(-kLeverLength * std::cos(kStop), 0.0, -kLeverLength * std::sin(kStop));
   return taught_switch_ + toggle + Eigen::Vector3d(engagement, 0.0, -kFingerRadius - kLeverRadius);
 }

@@ -8,7 +8,7 @@
 #include "push_condition.h"
 
 /// \file
-/// The MuJoCo model of the cell with its state, and names for the parts of it that the simulation works on.
+/// The MuJoCo model of the cell, its state, and access to the parts that the simulation needs.
 
 namespace contact_shapelets::simulation {
 
@@ -24,7 +24,7 @@ struct Pose {
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();
 };
 
-/// The cell's model and state. Each instance is independent of every other.
+/// The cell's model and state. Instances share nothing.
 class CellModel {
  public:
   /// Compiles the model that was built into the program. \throws std::runtime_error with MuJoCo's message.
@@ -41,60 +41,60 @@ class CellModel {
 
   /// Pose of the tool's tip: the centre of the finger's round end.
   Pose Tip() const { return PoseOf(tip_site_); }
-  /// Pose of the flange, in whose frame the robot reports its wrench.
+  /// Pose of the flange. The robot reports its wrench in the flange's frame.
   Pose Flange() const { return PoseOf(flange_site_); }
   /// Jacobian [6, 7] of the tip, translation first, in the world's frame.
   Jacobian TipJacobian() const { return JacobianOf(tip_site_); }
   /// Jacobian [6, 7] of the flange, translation first, in the world's frame.
   Jacobian FlangeJacobian() const { return JacobianOf(flange_site_); }
-  /// The arm's mass matrix [7, 7] at the last position that MuJoCo computed.
+  /// Mass matrix [7, 7] of the arm at the last position that MuJoCo computed.
   JointMatrix MassMatrix() const;
   /// Joint angles [rad] of the arm.
   JointVector JointAngles() const;
   /// Joint speeds [rad/s] of the arm.
   JointVector JointSpeeds() const;
-  /// Joint torques [Nm] by which the environment moves the arm: what is left of the motion after the model of the arm's
-  /// inertia, Coriolis and gravity torques and the motors' torques are taken off. Valid after a step.
+  /// Joint torques [Nm] by which the environment moves the arm: inertial, Coriolis and gravity torques by the model,
+  /// minus the motors' torques. Valid after a step.
   JointVector ExternalTorques() const;
-  /// Gravity torques [Nm] at the current position, and those of one kilogram at the tool's centre of mass.
+  /// Joint torques [Nm] that hold the arm and its tool against gravity at the present position.
   JointVector GravityTorques() const;
-  /// Gravity torques [Nm] of one kilogram more at the tool's centre of mass.
+  /// Joint torques [Nm] by which gravity moves one kilogram more at the tool's centre of mass.
   JointVector PayloadTorques() const;
 
   /// Angle [rad] of the lever; below 0 is off.
   double LeverAngle() const;
-  /// Torque [Nm] of the over-centre spring on the lever at the state's position.
+  /// Torque [Nm] of the over-centre spring on the lever at the present position.
   double SpringTorque() const;
   /// Total force [N] of all contacts on the finger, in the world's frame.
   Eigen::Vector3d ContactForce() const;
-  /// True where the finger touches something.
+  /// Returns true if the finger touches something.
   bool InContact() const { return data_->ncon > 0; }
 
-  /// Sets up switch and obstacle for a push, and turns the lever to where it is before it.
+  /// Sets up switch and obstacle for a push, and turns the lever to its angle before the push.
   void SetUp(const PushCondition& condition);
-  /// Moves the arm at once to where its tip has the position, pointing at the cabinet, at rest.
-  /// \throws std::runtime_error where the arm does not reach it.
+  /// Places the arm at rest with its tip at `position` [m], pointing at the cabinet.
+  /// \throws std::runtime_error if the arm does not reach it.
   void PlaceTip(const Eigen::Vector3d& position);
 
-  /// Centre of the finger's end [m] where it touches a lever that is off, at the taught place of the switch.
+  /// Returns the centre of the finger's end [m] when it touches a lever that is off, for the taught place of the
+  /// switch.
   Eigen::Vector3d TaughtContact(double engagement) const;
-  /// Height [m] from that contact up to the one with the lever at its far stop.
+  /// Returns the height [m] from that contact up to the contact with a lever at its far stop.
   double LeverTravel(double engagement) const;
   /// Orientation of the tool towards the cabinet.
   static Eigen::Matrix3d ToolOrientation();
   /// Joint angles [rad] near which the arm works.
   static JointVector HomeAngles();
 
-  /// Torque [Nm] of an over-centre spring of stiffness 1 N/m on the lever at `angle` [rad], from its geometry.
+  /// Returns the torque [Nm] of an over-centre spring of stiffness 1 N/m on the lever at `angle` [rad].
   static double UnitSpringTorque(double angle);
-  /// Greatest value of UnitSpringTorque over the lever's travel.
+  /// Returns the greatest UnitSpringTorque() over the lever's travel.
   static double GreatestUnitSpringTorque();
 
-  static constexpr double kStop =
-      28.0 * 3.14159265358979323846 / 180.0;      ///< [rad] of the lever's travel to either side
-  static constexpr double kLeverLength = 0.018;   ///< [m] from the hinge to the toggle's end
-  static constexpr double kFingerRadius = 0.004;  ///< [m]
-  static constexpr double kLeverRadius = 0.003;   ///< [m]
+  static constexpr double kStop = 28.0 * 3.14159265358979323846 / 180.0;  ///< [rad] lever's travel to either side
+  static constexpr double kLeverLength = 0.018;                           ///< [m] from the hinge to the toggle's end
+  static constexpr double kFingerRadius = 0.004;                          ///< [m]
+  static constexpr double kLeverRadius = 0.003;                           ///< [m]
 
  private:
   struct DeleteModel {

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Draws docs/simulated_cell.png and docs/push_curves.png.
 
-usage: draw_pictures.py FOLDER_OF_PROGRAMS DOCS, after cmake --build BUILD --target push_curves render_cell;
-needs python3-matplotlib
+usage: draw_pictures.py FOLDER_OF_PROGRAMS DOCS
+
+Needs python3-matplotlib, and the programs of cmake --build BUILD --target push_curves render_cell.
 """
 
 import csv
@@ -24,7 +25,7 @@ FORTH, HOLD, REACT, BACK = 2, 3, 4, 5
 
 
 def draw_cell(programs, path):
-    """Lays the views of the cell and of the switch side by side."""
+    """Draws the views of the cell and of the switch side by side."""
     environment = {"EGL_PLATFORM": "surfaceless", **os.environ}
     figure, axes = plt.subplots(1, 2, figsize=(10, 3.9))
     with tempfile.TemporaryDirectory() as folder:
@@ -48,13 +49,13 @@ def read_curves(programs, seed):
 
 
 def first(condition, after=0):
-    """Index of the first true value from `after` on, or None."""
+    """Returns the index of the first true value from `after` on, or None."""
     indices = numpy.flatnonzero(condition[after:])
     return int(indices[0]) + after if len(indices) else None
 
 
 def events(outcome, curve):
-    """What happens, as (index, text), found in the simulation's own state."""
+    """Returns the events of a push as (index, text), from the simulation's own state."""
     _, _, contact, lever, phase = curve
     touch = first(contact > 0.5)
     found = [(first(phase == FORTH), "moves")]
@@ -76,7 +77,7 @@ def events(outcome, curve):
 
 
 def draw_curves(curves, path):
-    """One panel per outcome, with what happens marked."""
+    """Draws one panel per outcome and marks its events."""
     figure, axes = plt.subplots(3, 2, figsize=(10, 8), sharex=True)
     for axis, outcome in zip(axes.T.flat, OUTCOMES):
         time, force, _, lever, _ = curves[outcome]

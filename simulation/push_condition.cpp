@@ -82,7 +82,7 @@ PushCondition SamplePushCondition(Outcome outcome, core::Random* random) {
   condition.height_error = random->Uniform(-0.0015, 0.0015);
   condition.side_error = random->Uniform(-0.002, 0.002);
   condition.tilt = random->Uniform(-2.0, 2.0) * kDegree;
-  // Some 4 mm beyond the toggle's end the two round ends push each other apart.
+  // If the finger is some 4 mm too far out, the two round ends push each other apart.
   condition.engagement =
       outcome == Outcome::kSlippedOff ? random->Uniform(-0.0055, -0.0038) : random->Uniform(0.003, 0.007);
   condition.jam_travel = random->Uniform(0.5, 5.0) * kDegree;

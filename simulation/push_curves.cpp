@@ -1,5 +1,5 @@
-/// Prints one push of every outcome as CSV, for pictures: the estimate's tared force as a 1 kHz driver sends it, the
-/// true contact force, and the lever.
+/// Prints one push of every outcome as CSV, for pictures: the tared force of the estimate at 1 kHz, the true contact
+/// force, and the lever's angle.
 
 #include <cstdlib>
 #include <iostream>

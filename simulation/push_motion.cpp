@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kRepositionSpeed = 0.1;  // [m/s] between pushes
 constexpr double kArrived = 1e-6;         // [m]
-constexpr double kStopping = 5.0;         // [m/s^2] of the stop that the force limit causes
+constexpr double kStopping = 5.0;         // [m/s^2] deceleration after the force limit
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void PushMotion::AdvancePhase(double period, double force) {
       if (phase_time_ >= condition_.hold) enter(Phase::kBack);
       break;
     case Phase::kReact:
-      // The controller knows of the force only after its reaction time.
+      // The controller reacts to the force only after its reaction time.
       if (phase_time_ < condition_.reaction) {
         Follow(length_, speed, period);
       } else {
@@ -113,7 +113,7 @@ void PushMotion::Follow(double target, double speed, double period) {
   const double braking = std::sqrt(2.0 * condition_.acceleration * std::abs(way));
   const double wanted = sign * std::min(speed, braking);
   const double change = condition_.acceleration * period;
-  // Braking for the target may be steeper by a step's rounding than the acceleration.
+  // While braking, the speed follows `wanted`, whose slope may exceed the acceleration by a step's rounding.
   speed_ = std::abs(wanted) < speed && wanted * speed_ > 0.0 && std::abs(speed_) >= std::abs(wanted)
                ? wanted
                : speed_ + std::clamp(wanted - speed_, -change, change);

@@ -9,39 +9,39 @@
 
 namespace contact_shapelets::simulation {
 
-/// What the tip is told at one moment.
+/// The commanded position and velocity of the tip.
 struct MotionReference {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< [m/s]
 };
 
-/// A straight push with limited acceleration: wait, fast approach, slow push, hold, and back to the start; earlier
-/// where the force limit is reached, as with a force condition on a robot's linear motion. Between pushes it goes to
-/// where the next one starts.
+/// A straight push with limited acceleration: wait, fast approach, slow push, hold, and back to the start. The force
+/// limit ends a push early, like a force condition on a robot's linear motion. Between pushes the tip goes to the next
+/// start.
 class PushMotion {
  public:
   enum class Phase { kIdle, kWait, kForth, kHold, kReact, kBack };
 
-  /// Takes the tip to be at `position` [m], at rest.
+  /// Sets the tip's position [m], at rest.
   void PlaceAt(const Eigen::Vector3d& position);
-  /// Plans a push that starts `condition.approach` before `contact` [m] and ends `depth` [m] behind it. \throws
-  /// std::logic_error while a push goes on.
+  /// Plans a push that starts `condition.approach` before `contact` [m] and ends `depth` [m] behind it.
+  /// \throws std::logic_error during a push.
   void Plan(const PushCondition& condition, const Eigen::Vector3d& contact, double depth);
-  /// Begins the planned push. Where the tip is not at the start yet, it begins when it is.
+  /// Begins the planned push as soon as the tip is at its start.
   void Begin();
-  /// The reference after another `period` [s]; `force` [N] is the tared estimate that the force limit is applied to.
+  /// Returns the reference after another `period` [s]. The force limit applies to `force` [N], the tared estimate.
   MotionReference Advance(double period, double force);
 
-  /// What the motion is doing.
+  /// Phase of the motion.
   Phase phase() const { return phase_; }
   /// Start of the planned push [m].
   const Eigen::Vector3d& start() const { return start_; }
-  /// True where the force limit ended the push that was begun last.
+  /// True if the force limit ended the last push.
   bool limit_reached() const { return limit_reached_; }
 
  private:
   void AdvancePhase(double period, double force);
-  /// Moves towards `target` on the path at up to `speed`, braking in time for the target.
+  /// Moves along the path towards `target` at up to `speed`, and brakes in time.
   void Follow(double target, double speed, double period);
   MotionReference Reposition(double period);
 

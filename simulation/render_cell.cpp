@@ -1,4 +1,4 @@
-/// Renders the cell during a push, without a display, and writes the picture as PPM.
+/// Renders the cell during a push without a display, and writes the picture as PPM.
 
 #include <EGL/egl.h>
 #include <mujoco/mujoco.h>
@@ -90,7 +90,7 @@ void RenderPush(const std::string& camera, const std::string& path) {
   const OffscreenContext context;
   SimulatedCell cell{PushCondition{}};
   cell.BeginPush();
-  // Half way up to dead centre.
+  // The lever is then on its way up to dead centre.
   while (cell.state().lever_angle < -0.6 * CellModel::kStop && cell.state().time < 10.0) cell.Step();
   Render(&cell.model(), camera, 1000, 750, path);
 }

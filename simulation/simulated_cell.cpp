@@ -5,9 +5,9 @@
 namespace contact_shapelets::simulation {
 namespace {
 
-constexpr int kDesignCycles = 10;   // between two designs of the damping
-constexpr int kSettleCycles = 300;  // after the arm was placed
-constexpr double kOn = 0.5 * CellModel::kStop;
+constexpr int kDesignCycles = 10;               // from one design of the damping to the next
+constexpr int kSettleCycles = 300;              // after the arm has been placed
+constexpr double kOn = 0.5 * CellModel::kStop;  // [rad] above it the lever is on
 
 }  // namespace
 
@@ -44,7 +44,7 @@ void SimulatedCell::BeginPush() {
 const CellState& SimulatedCell::Step() {
   if (cycle_ % kDesignCycles == 0) controller_.Design(model_);
   ++cycle_;
-  // A force condition is applied to what is felt beyond the free air before the push.
+  // The force limit applies to the force beyond that in free air before the push.
   const bool waiting = motion_.phase() == PushMotion::Phase::kIdle || motion_.phase() == PushMotion::Phase::kWait;
   if (waiting) tare_ += 0.02 * (state_.wrench.head<3>() - tare_);
   felt_ = (state_.wrench.head<3>() - tare_).norm();
@@ -59,7 +59,7 @@ void SimulatedCell::StepPhysics() {
   const double step = model_.model()->opt.timestep;
   const auto steps = std::lround(kPeriod / step);
   MotionReference reference = reference_;
-  // The reference is the one at the cycle's end.
+  // `reference_` is for the end of the cycle.
   reference.position -= kPeriod * reference_.velocity;
   for (std::int64_t count = 0; count < steps; ++count) {
     mj_step1(model_.model(), model_.data());

@@ -11,13 +11,13 @@
 #include "wrench_estimator.h"
 
 /// \file
-/// The whole cell: robot with controller and wrench estimate, switch, and one push after the other.
+/// The whole cell: the robot with its controller and wrench estimate, the switch, and pushes one after the other.
 
 namespace contact_shapelets::simulation {
 
-/// What can be seen of the cell at one moment.
+/// The observable state of the cell.
 struct CellState {
-  double time = 0.0;                                        ///< [s] since the cell was made
+  double time = 0.0;                                        ///< [s] since the cell settled
   Vector6 wrench = Vector6::Zero();                         ///< estimate at the flange, in its frame [N, Nm]
   Eigen::Vector3d contact_force = Eigen::Vector3d::Zero();  ///< true force on the finger, in the world's frame [N]
   double tip_height = 0.0;                                  ///< [m]
@@ -25,24 +25,24 @@ struct CellState {
   PushMotion::Phase phase = PushMotion::Phase::kIdle;
 };
 
-/// A robot that pushes a switch, in steps of kPeriod. The same conditions give the same states.
+/// Simulates a robot that pushes a switch, in steps of kPeriod. Equal conditions give equal states.
 class SimulatedCell {
  public:
-  /// Sets the switch up for `condition`, and the arm at its start, at rest and settled.
+  /// Sets up the switch for `condition`, places the arm at the push's start and lets it settle.
   explicit SimulatedCell(const PushCondition& condition);
 
-  /// Sets the switch up for another push and lets the arm go to its start. \throws std::logic_error during a push.
+  /// Sets up the switch for another push and lets the arm go to its start. \throws std::logic_error during a push.
   void SetUp(const PushCondition& condition);
   /// Begins the push as soon as the arm is at its start.
   void BeginPush();
-  /// True while the arm moves for a push, or is about to.
+  /// True from BeginPush() until the push has ended.
   bool IsPushing() const { return begun_ && !finished_; }
-  /// One step of kPeriod.
+  /// Simulates one step of kPeriod.
   const CellState& Step();
-  /// The state of now.
+  /// The present state.
   const CellState& state() const { return state_; }
-  /// How the last push went, judged by the lever, the obstacle and the force limit; none before its end. It need not be
-  /// what the condition was made for: a finger may slip off a stiff lever.
+  /// Returns the outcome of the last push by the lever, the contacts and the force limit; none before its end. It may
+  /// differ from that of the condition: a finger may slip off a stiff lever.
   std::optional<Outcome> ObservedOutcome() const;
   /// The condition of the last SetUp().
   const PushCondition& condition() const { return condition_; }

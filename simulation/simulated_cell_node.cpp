@@ -15,8 +15,8 @@ namespace contact_shapelets::simulation {
 namespace {
 
 constexpr double kBefore = 1.2;        // [s] in which the arm goes to the start of a push
-constexpr double kOutcomeDelay = 0.3;  // [s] from the episode's end to the operator's word
-constexpr double kGreatestLag = 0.2;   // [s] that is caught up with; more is left out
+constexpr double kOutcomeDelay = 0.3;  // [s] from the episode's end to the outcome
+constexpr double kGreatestLag = 0.2;   // [s] the cell catches up with a lag up to this, and skips a greater one
 
 SimulatedCellOptions CheckedOptions(const ros::NodeHandle& node_handle) {
   ParameterReader reader(node_handle);
@@ -30,8 +30,8 @@ SimulatedCellOptions CheckedOptions(const ros::NodeHandle& node_handle) {
 
 std::string SimulatedCellOptions::Faults() const {
   std::ostringstream faults;
-  const auto check = [&faults](bool good, const char* name, const char* range, double value) {
-    if (!good) faults << name << " must be " << range << ", but is " << value << '\n';
+  const auto check = [&faults](bool valid, const char* name, const char* range, double value) {
+    if (!valid) faults << name << " must be " << range << ", but is " << value << '\n';
   };
   check(rate >= 30.0 && rate <= 1000.0, "rate", "in [30, 1000] Hz", rate);
   check(episode_duration >= 4.0 && episode_duration <= 20.0, "episode_duration", "in [4, 20] s", episode_duration);
@@ -39,7 +39,7 @@ std::string SimulatedCellOptions::Faults() const {
         "at least 2 s above episode_duration and at most 3600 s", period);
   check(seed >= 0, "seed", "at least 0", seed);
   check(speed >= 0.01 && speed <= 100.0, "speed", "in [0.01, 100]", speed);
-  check(publish_clock || speed == 1.0, "speed", "1 where publish_clock is false", speed);
+  check(publish_clock || speed == 1.0, "speed", "1 if publish_clock is false", speed);
   for (const std::string& word : script) {
     try {
       OutcomeOfName(word);
@@ -78,7 +78,7 @@ SimulatedCellNode::SimulatedCellNode(const ros::NodeHandle& node_handle, const r
 }
 
 void SimulatedCellNode::Run() {
-  // A driven clock begins at a round time, so that recordings of two runs can be laid upon each other.
+  // The node's own clock begins at a fixed time, so that the stamps of two recordings match.
   if (options_.publish_clock) {
     origin_ = ros::Time(1000.0);
   } else if (!ros::Time::waitForValid()) {
@@ -101,9 +101,9 @@ double SimulatedCellNode::TargetTime() {
   const double lag = passed - cell_.state().time;
   const bool jumped_back = lag < -kGreatestLag;
   if (!jumped_back && lag <= kGreatestLag * std::max(1.0, options_.speed)) return passed;
-  ROS_WARN_THROTTLE(10.0, "The clock is %.3f s %s the simulated cell, which goes on from there", std::abs(lag),
-                    jumped_back ? "behind" : "ahead of");
-  // Stamps of a driven clock go on without a gap; those of a foreign one have to follow it.
+  ROS_WARN_THROTTLE(10.0, "The clock is %.3f s %s the simulated cell; the cell goes on from the clock's time",
+                    std::abs(lag), jumped_back ? "behind" : "ahead of");
+  // The node's own clock goes on without a gap. Stamps must follow a foreign clock.
   if (options_.publish_clock) {
     wall_origin_ += ros::WallDuration(lag / options_.speed);
   } else {
@@ -119,7 +119,7 @@ void SimulatedCellNode::AdvanceTo(double time) {
 void SimulatedCellNode::Cycle() {
   const CellState& state = cell_.Step();
   if (options_.publish_clock) PublishClock();
-  // Half a cycle of tolerance, so that rounding does not skip one.
+  // A tolerance of half a cycle keeps rounding from skipping a message.
   if ((state.time + 0.5 * SimulatedCell::kPeriod) * options_.rate >= static_cast<double>(published_)) {
     wrench_publisher_.publish(WrenchMessage(state, StampOf(state.time)));
     published_ = static_cast<std::int64_t>(std::floor((state.time + 0.5 * SimulatedCell::kPeriod) * options_.rate)) + 1;

@@ -13,32 +13,33 @@
 
 namespace contact_shapelets::simulation {
 
-/// What the node is told.
+/// Parameters of the node.
 struct SimulatedCellOptions {
   double rate = 1000.0;             ///< [Hz] of the wrench, [30, 1000]
-  std::vector<std::string> script;  ///< outcomes that are pushed one after the other; empty: random ones
-  bool endless = true;              ///< push again and again; else only when the service is called
+  std::vector<std::string> script;  ///< outcomes of the pushes in turn; empty: random outcomes
+  bool endless = true;              ///< push again and again; false: only when the service is called
   double period = 7.0;              ///< [s] from one push to the next, at least 2 above the episode's duration
   double episode_duration = 4.33;   ///< [s], [4, 20]
-  int seed = 1;                     ///< of conditions and noise, at least 0
-  bool publish_clock = false;       ///< drive /clock, for use_sim_time
-  double speed = 1.0;               ///< simulated seconds per second where the clock is driven, [0.01, 100]
+  int seed = 1;                     ///< seed of conditions and noise, at least 0
+  bool publish_clock = false;       ///< publish /clock, for use_sim_time
+  double speed = 1.0;               ///< simulated seconds per second, [0.01, 100]; 1 without `publish_clock`
 
-  /// Every parameter that is out of range, one line each with its name and range; empty where all are well.
+  /// Returns one line for each invalid parameter, with its name and range; an empty string if all values are valid.
   std::string Faults() const;
 };
 
-/// Parameters of the node; faults are noted in `reader`.
+/// Reads the parameters of the node and adds their faults to `reader`.
 SimulatedCellOptions ReadSimulatedCellOptions(ParameterReader* reader);
 
-/// The simulated cell as a robot's driver and a sequencer show it: wrench, episode_active, outcome.
+/// The simulated cell as a node. It publishes what a robot's driver and a sequencer would: wrench, episode_active,
+/// outcome.
 class SimulatedCellNode {
  public:
   /// Reads parameters from `private_node_handle`, then sets up publishers and the service.
-  /// \throws std::invalid_argument naming every parameter that is wrong.
+  /// \throws std::invalid_argument that names every invalid parameter.
   SimulatedCellNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
-  /// Simulates in step with the clock until the node is shut down.
+  /// Simulates in step with the clock until the node shuts down.
   void Run();
 
  private:
@@ -54,7 +55,7 @@ class SimulatedCellNode {
   void PublishOutcome();
   void PublishClock();
   ros::Time StampOf(double time) const { return origin_ + ros::Duration(time); }
-  /// [s] that the cell should have reached by now.
+  /// Returns the time [s] that the cell should have reached by now.
   double TargetTime();
 
   ros::NodeHandle node_handle_;

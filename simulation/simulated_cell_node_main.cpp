@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "simulated_cell_node");
-  // The last handle that goes takes the log with it.
+  // ROS stops its log with the last handle, so one must outlive the message below.
   const ros::NodeHandle node_handle;
   try {
     contact_shapelets::simulation::SimulatedCellNode(node_handle, ros::NodeHandle("~")).Run();

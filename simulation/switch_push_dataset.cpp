@@ -1,4 +1,4 @@
-/// Makes bags of simulated switch pushes: the same seed gives the same files.
+/// Makes bags of simulated switch pushes. Equal seeds give equal files.
 
 #include <geometry_msgs/WrenchStamped.h>
 #include <rosbag/bag.h>
@@ -22,9 +22,9 @@ namespace contact_shapelets::simulation {
 namespace {
 
 constexpr core::Nanoseconds kEpoch = 1'700'000'000'000'000'000;
-constexpr double kEdgeMargin = 0.1;  // [s] of wrench behind an episode's end
+constexpr double kEdgeMargin = 0.1;  // [s] of wrench after an episode's end
 
-/// Each set of pushes has random numbers of its own.
+/// Each set of pushes has its own random numbers.
 enum class Set : std::uint64_t { kTrain, kTest, kRaw, kNovel };
 
 struct Arguments {
@@ -40,7 +40,7 @@ struct Arguments {
 
   double Duration() const { return samples * core::SegmentationOptions{}.sample_period; }
 
-  /// \throws std::invalid_argument naming one that is out of range.
+  /// \throws std::invalid_argument that names the first argument out of range.
   void Check() const {
     for (const int count : {train, test, raw, novel, threads}) {
       if (count < 0 || count > 100000)
@@ -52,7 +52,7 @@ struct Arguments {
   }
 };
 
-/// Random numbers of a push of its own, so that it does not depend on those before it.
+/// Returns the random numbers of one push, so that a push does not depend on those before it.
 core::Random RandomOf(const Arguments& arguments, Set set, int index) {
   return core::Random(arguments.seed * 1'000'000'007ULL + static_cast<std::uint64_t>(set) * 1'000'003ULL +
                       static_cast<std::uint64_t>(index));
@@ -63,7 +63,7 @@ Outcome OutcomeOf(Set set, int index) {
   return AllOutcomes()[set == Set::kNovel ? third + 3 : third];
 }
 
-/// The episode that the episode node would make of a push.
+/// Returns the episode that the episode node would make of a push.
 core::Episode MakeEpisode(const Arguments& arguments, Set set, int index) {
   core::Random random = RandomOf(arguments, set, index);
   const PushRecording recording = RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random);
@@ -96,7 +96,7 @@ void WriteEpisodes(const Arguments& arguments, Set set, int count, const std::st
   std::cerr << path << ": " << count << " episodes\n";
 }
 
-/// Writes what a recorder beside a driver and a sequencer would: wrench, triggers, outcomes.
+/// Writes the bag that a recorder would: wrench, triggers, outcomes.
 class RawWriter {
  public:
   RawWriter(const Arguments& arguments, const std::string& path)
@@ -106,7 +106,7 @@ class RawWriter {
 
   void Write() {
     constexpr double kBefore = 1.2;  // [s] in which the arm goes to its start
-    constexpr double kAfter = 1.0;   // [s] to the next push
+    constexpr double kAfter = 1.0;   // [s] after the episode
     SimulatedCell cell(ConditionOf(0));
     for (int index = 0; index < arguments_.raw; ++index) {
       if (index > 0) cell.SetUp(ConditionOf(index));
@@ -177,10 +177,10 @@ int main(int argc, char** argv) {
   add("train", value(&arguments.train), "Episodes of the training bag");
   add("test", value(&arguments.test), "Episodes of the test bag");
   add("raw", value(&arguments.raw), "Pushes of the raw bag");
-  add("novel", value(&arguments.novel), "Episodes of a bag of outcomes that the others do not have");
+  add("novel", value(&arguments.novel), "Episodes of a bag with outcomes that the other bags do not have");
   add("samples", value(&arguments.samples), "Samples of an episode, 400 to 10000");
   add("raw-rate", value(&arguments.raw_rate), "[Hz] of the raw bag's wrench, 30 to 1000");
-  add("threads", value(&arguments.threads), "Threads; 0: as many as the machine runs");
+  add("threads", value(&arguments.threads), "Threads; 0: as many as the machine has");
   add("out", value(&arguments.out), "The folder to write to");
   add("help,h", "Prints this");
   try {

@@ -6,9 +6,9 @@
 namespace contact_shapelets::simulation {
 namespace {
 
-// A harmonic drive of 160:1, whose wave generator deforms the spline twice per turn.
+// A harmonic drive of 160:1. Its wave generator deforms the spline twice per turn.
 constexpr double kRippleCycles = 2.0 * 160.0;
-constexpr double kOffsetTime = 0.2;  // [s] within which an offset changes from one push to the next
+constexpr double kOffsetTime = 0.2;  // [s] time constant by which offsets change from one push to the next
 
 JointVector ToVector(const JointErrors& values) { return Eigen::Map<const JointVector>(values.data()); }
 
@@ -26,18 +26,18 @@ void WrenchEstimator::SampleErrors(const CellModel& cell, double period) {
   time_ += period;
   const JointVector angles = cell.JointAngles();
   offset_ += period / kOffsetTime * (ToVector(errors_.torque_offset) - offset_);
-  fault_ = offset_ + time_ * ToVector(errors_.drift) +
-           ToVector(errors_.gravity_error).cwiseProduct(cell.GravityTorques()) +
-           errors_.payload_error * cell.PayloadTorques();
+  error_torques_ = offset_ + time_ * ToVector(errors_.drift) +
+                   ToVector(errors_.gravity_error).cwiseProduct(cell.GravityTorques()) +
+                   errors_.payload_error * cell.PayloadTorques();
   for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
     const auto row = static_cast<Eigen::Index>(joint);
-    fault_[row] += errors_.ripple[joint] * std::sin(kRippleCycles * angles[row] + errors_.ripple_phase[joint]);
-    fault_[row] += errors_.noise * random_.Normal();
+    error_torques_[row] += errors_.ripple[joint] * std::sin(kRippleCycles * angles[row] + errors_.ripple_phase[joint]);
+    error_torques_[row] += errors_.noise * random_.Normal();
   }
 }
 
 void WrenchEstimator::Advance(const CellModel& cell, double period) {
-  torques_ += period / kFilterTime * (cell.ExternalTorques() + fault_ - torques_);
+  torques_ += period / kFilterTime * (cell.ExternalTorques() + error_torques_ - torques_);
 }
 
 Vector6 WrenchEstimator::Wrench(const CellModel& cell) const {

@@ -8,18 +8,18 @@
 
 namespace contact_shapelets::simulation {
 
-/// External joint torques, low-passed as by a disturbance observer, turned into a wrench by the damped pseudo-inverse
-/// of the transposed Jacobian, with the faults of real torque sensors and models on the way.
+/// Estimates the wrench from external joint torques: a low-pass as in a disturbance observer, then the damped
+/// pseudo-inverse of the transposed Jacobian. Adds the errors of real torque sensors and models to the torques.
 class WrenchEstimator {
  public:
-  /// Takes new faults. Offsets go over to them within a second or so, but for the first ones; the drift starts anew.
+  /// Sets new errors. The first offsets apply at once; later ones within about a second. The drift starts anew.
   void SetErrors(const EstimateErrors& errors, std::uint64_t noise_seed);
-  /// Adds the faults of each moment; without this the estimate is that of a perfect robot. At 1 kHz.
+  /// Draws the errors of the next `period` [s]. Call it at 1 kHz. Without it, the estimate is that of a perfect robot.
   void SampleErrors(const CellModel& cell, double period);
   /// Takes the external joint torques of the last step of `period` [s].
   void Advance(const CellModel& cell, double period);
-  /// The estimate: force [N], then torque [Nm] about the flange, in the flange's frame. It is what the environment does
-  /// to the robot.
+  /// Returns the wrench that the environment exerts on the robot: force [N], then torque [Nm] about the flange, in the
+  /// flange's frame.
   Vector6 Wrench(const CellModel& cell) const;
 
   static constexpr double kFilterTime = 0.005;  ///< [s] time constant of the observer
@@ -31,7 +31,7 @@ class WrenchEstimator {
   double time_ = 0.0;
   bool fresh_ = true;
   JointVector offset_ = JointVector::Zero();
-  JointVector fault_ = JointVector::Zero();
+  JointVector error_torques_ = JointVector::Zero();
   JointVector torques_ = JointVector::Zero();
 };
 

@@ -9,7 +9,8 @@ namespace contact_shapelets::simulation {
 
 constexpr char kWrenchFrame[] = "flange";
 
-/// The robot's estimate as its driver publishes it, with the resolution of a controller: 0.002 N and 0.0005 Nm.
+/// Returns the robot's estimate as its driver publishes it, rounded to a controller's resolution: 0.002 N and 0.0005
+/// Nm.
 geometry_msgs::WrenchStamped WrenchMessage(const CellState& state, const ros::Time& stamp);
 
 }  // namespace contact_shapelets::simulation
