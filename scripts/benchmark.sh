@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures the kernel, the training and the offline program, and prints one table. Each ratio's two sides are
-# measured in turn, in processor time (the offline program by the clock), so that the machine's other load meets both alike.
+# Measures the kernel, the training and the offline program, and prints one table. The two sides of a ratio are measured in turn,
+# in processor time (the offline program by the clock), so that other load on the machine slows both alike.
 #   scripts/benchmark.sh [--json FILE] [--filter REGEX]
 set -euo pipefail
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Turns the benchmark program's output into one table, and adds how fast the offline program classifies a bag."""
+"""Prints the benchmark program's output as one table, with a row on how fast the offline program classifies a bag."""
 
 import argparse
 import json
@@ -42,7 +42,7 @@ def rows_of(path):
 
 
 def classify_row(program, bags):
-    """Times the offline program on the raw bag against the bag's duration, start of the program included."""
+    """Times the offline program, its start included, on the raw bag and compares it with the bag's duration."""
     raw = bags / "switch_push_raw.bag"
     with rosbag.Bag(str(raw)) as bag:
         duration = bag.get_end_time() - bag.get_start_time()

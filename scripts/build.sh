@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the package in a workspace of its own and prints the path of that workspace's setup file.
-# CONTACT_SHAPELETS_WORKSPACE names another place than the one under ~/.cache.
+# The workspace is under ~/.cache unless CONTACT_SHAPELETS_WORKSPACE names another folder.
 set -euo pipefail
 
 package=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 digest=$(printf '%s' "$package" | cksum | cut -d' ' -f1)
 workspace=${CONTACT_SHAPELETS_WORKSPACE:-${XDG_CACHE_HOME:-$HOME/.cache}/contact_shapelets/$digest}
 
-# Another Python in front of the system's has no catkin.
+# catkin needs the system's Python.
 export PATH=/usr/bin:$PATH
 if [ -f /opt/ros/noetic/setup.bash ]; then
   set +u

@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ElementTree
 
 
 def outcome(case):
-    """Returns 'failed', 'skipped' or 'passed', and the message that goes with it."""
+    """Returns 'failed', 'skipped' or 'passed', and its message."""
     for tag in ("failure", "error"):
         element = case.find(tag)
         if element is not None:

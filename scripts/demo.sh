@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a live diagnosis: installs what is missing, builds, trains on the recorded bags, lets the simulated cell push
-# (or replays recorded pushes), prints one line per push, and writes a report. Stops all that it started. Exits 0 where every
-# push was diagnosed right.
+# (or replays recorded pushes), prints one line per push, and writes a report. Stops every process that it started. Exits with 0 if
+# every diagnosis is right.
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -25,7 +25,7 @@ rosrun contact_shapelets shapelets classify "$bags/switch_push_test.bag" --model
   --csv "$output/test.csv" | tail -n 1
 rosrun contact_shapelets shapelets report "$output/model.bag" "$bags/switch_push_test.bag" --out "$output/report" >/dev/null
 
-# A roscore of its own on a free port: one that may be running already stays undisturbed.
+# A new roscore on a free port does not disturb one that is running already.
 port=$(/usr/bin/python3 -c 'import socket; s = socket.socket(); s.bind(("", 0)); print(s.getsockname()[1])')
 export ROS_MASTER_URI=http://127.0.0.1:$port ROS_IP=127.0.0.1 ROS_LOG_DIR=$output/log
 unset ROS_HOSTNAME
@@ -38,7 +38,7 @@ stop_all() {
 }
 trap stop_all EXIT
 
-# Job control gives each its own process group, without which a background process ignores an interrupt.
+# Without a process group of its own, which job control gives it, a background process ignores an interrupt.
 set -m
 roscore -p "$port" >"$output/roscore.log" 2>&1 &
 started+=($!)
@@ -51,14 +51,14 @@ for ((attempt = 1; ; ++attempt)); do
   sleep 0.1
 done
 
-# The watch is there before the first push.
+# The watch must start before the first push.
 rosrun contact_shapelets watch_diagnoses.py --episodes 12 --timeout 120 --unknown slipped_off collision missing &
 watch=$!
 started+=("$watch")
 echo
 if [ -x "$(dirname "$setup")/lib/contact_shapelets/simulated_cell_node" ]; then
   echo "Pushing in the simulated cell at four times its speed"
-  echo "slipped_off, collision and missing were never trained: unknown is right"
+  echo "The model was not trained on slipped_off, collision and missing: unknown is right for them"
   cell=true
 else
   echo "Replaying $bags/switch_push_raw.bag at four times its speed (no MuJoCo: no simulated cell)"

@@ -3,11 +3,11 @@
 #
 #   scripts/evaluate.sh [DATA [RESULTS]]
 #
-# DATA is a folder of the UCR archive (default: ../shared/data/ucr), RESULTS the folder for the scores of every run as JSON
-# (default: in the build's workspace). A JSON or bag that is already there is kept, so that a run goes on where it stopped:
-# after a change of code, take a new folder.
-# METHODS="nn_stne" restricts the comparison to some methods, NEIGHBOURS="" leaves out the other neighbourhoods of UDFS, JOBS=4
-# sets the runs at the same time, SEEDS=5 those per cell.
+# DATA is a folder of the UCR archive (default: ../shared/data/ucr). RESULTS is the folder for the scores of every run as JSON
+# (default: in the build's workspace). The script keeps JSON files and bags that are already there, so it goes on after an
+# interruption. After a change of code, use a new folder.
+# METHODS="nn_stne" restricts the comparison to some methods. NEIGHBOURS="" leaves out the other neighbourhoods of UDFS. JOBS=4 sets
+# how many runs work at the same time, SEEDS=5 the number of seeds.
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -29,7 +29,7 @@ shapelets=$workspace/devel/lib/contact_shapelets/shapelets
 dataset=$workspace/devel/lib/contact_shapelets/switch_push_dataset
 if [ ! -s "$results/switch_push_test.bag" ]; then
   if [ ! -x "$dataset" ]; then
-    echo "the simulated pushes need MuJoCo: install libmujoco-dev, or put switch_push_train.bag and _test.bag into $results" >&2
+    echo "The simulated pushes need MuJoCo: install libmujoco-dev, or put switch_push_train.bag and _test.bag into $results" >&2
     exit 1
   fi
   # As many simulated pushes as the paper had real ones: 489 and 81.
@@ -44,7 +44,7 @@ evaluate() {  # NAME ARGUMENT...
   shift
   [ -s "$results/$name.json" ] && return
   echo "== $name" >&2
-  # A faulty data set does not cost the results of the others.
+  # If one data set fails, the others keep their results.
   "$shapelets" evaluate --data "$data" "${bags[@]}" --seeds "${SEEDS:-5}" --jobs "${JOBS:-0}" \
     --json "$results/$name.json.part" "$@" >"$results/$name.md" || status=$?
   [ ! -s "$results/$name.json.part" ] || mv "$results/$name.json.part" "$results/$name.json"
@@ -58,7 +58,7 @@ for neighbours in ${NEIGHBOURS-2 3 8 12}; do
   evaluate "method_udfs_k$neighbours" --datasets ECG200,CBF,FaceFour,OSULeaf --methods "udfs_k$neighbours"
 done
 
-# One ingredient off at a time, on the development sets.
+# One ingredient changed at a time, on the development sets.
 ablation() {  # NAME YAML
   printf '%s\n' "$2" >"$results/ablation_$1.yaml"
   evaluate "ablation_$1" --datasets "$development" --methods nn_stne --config "$results/ablation_$1.yaml"

@@ -3,8 +3,8 @@
 
     evaluation_tables.py RESULTS docs/evaluation.md
 
-RESULTS holds method_*.json and ablation_*.json as scripts/evaluate.sh makes them. A table stands between the lines
-`<!-- table NAME -->` and `<!-- end -->`; one whose results are not there yet says so.
+RESULTS holds method_*.json and ablation_*.json from scripts/evaluate.sh. A table stands between the lines
+`<!-- table NAME -->` and `<!-- end -->`. A table without results says so.
 """
 
 import json
@@ -57,11 +57,11 @@ class Scores:
         return statistics.mean(self.values(method, data_set, part))
 
     def better(self, method, data_set):
-        """The better mean of nearest centroid and clustered anew."""
+        """Returns the better mean of nearest centroid and clustered anew."""
         return max(self.mean(method, data_set, "test"), self.mean(method, data_set, "test_anew"))
 
     def seconds(self, method, data_sets):
-        """Mean seconds of learning, and milliseconds of the features of one series."""
+        """Returns the mean seconds of learning and the mean milliseconds of the features of one series."""
         runs = [run for name in data_sets if self.has(method, name) for run in self._runs[method, name]]
         return (
             statistics.mean(run["fit_seconds"] for run in runs),
@@ -70,7 +70,7 @@ class Scores:
 
 
 def average(values):
-    """The mean; None where a value is missing, since averages over different data sets do not compare."""
+    """Returns the mean, or None if a value is missing, because averages over different data sets do not compare."""
     values = list(values)
     return statistics.mean(values) if values and None not in values else None
 
@@ -89,7 +89,7 @@ def better_or_none(scores, method, data_set):
 
 
 def paper_table(scores):
-    """The paper's rows: our nearest centroid / clustered anew of every method, and the paper's figures."""
+    """Returns the paper's rows: nearest centroid / clustered anew of every method, and the paper's figures."""
     rows = []
     for data_set, figures in PAPER.items():
         cells = []
@@ -109,7 +109,7 @@ def paper_table(scores):
 
 
 def spread_table(scores):
-    """Mean, standard deviation and best over the seeds, on the paper's rows."""
+    """Returns mean, standard deviation and best over the seeds, on the paper's rows."""
     rows = []
     for data_set in PAPER:
         for part, name in (("train", "train"), ("test", "nearest centroid"), ("test_anew", "clustered anew")):
@@ -126,7 +126,7 @@ def spread_table(scores):
 
 
 def all_table(scores, development):
-    """Every data set of one side of the split, the better of the two means on test."""
+    """Returns the better of the two means on test for every data set of one side of the split."""
     names = [name for name in scores.data_sets() if (name in DEVELOPMENT) == development]
     rows = [[name] + [text(better_or_none(scores, m, name), "{:.3f}") for m in METHODS] for name in names]
     rows.append(
@@ -136,7 +136,7 @@ def all_table(scores, development):
 
 
 def margin_table(scores):
-    """How far nn_stne is ahead of the best other method, and where it is least ahead of K-means."""
+    """Returns how far nn_stne is ahead of the best other method, and on which data set it is least ahead of K-means."""
     archive = [name for name in scores.data_sets() if name != "switch push" and scores.has("nn_stne", name)]
     rows = []
     for side, names in (
@@ -160,7 +160,7 @@ def margin_table(scores):
 
 
 def udfs_table(scores):
-    """UDFS with each size of the neighbourhood, and the best per data set, which is chosen by labels."""
+    """Returns UDFS with each size of the neighbourhood, and the best per data set, which needs the labels to choose."""
     sizes = {"udfs": 5}
     for method in scores.methods():
         found = re.fullmatch(r"udfs_k(\d+)", method)
@@ -187,8 +187,8 @@ def time_table(scores):
 
 
 def ablation_table(scores, folder):
-    """Scores of nn_stne with one ingredient off at a time: the better of the two on test, then averages over the
-    development sets of that and of the nearest centroid alone."""
+    """Returns scores of nn_stne with one ingredient changed at a time: the better of the two on test, then the averages
+    of that and of the nearest centroid alone over the development sets."""
 
     def nearest_or_none(variant, data_set):
         return variant.mean("nn_stne", data_set, "test") if variant.has("nn_stne", data_set) else None

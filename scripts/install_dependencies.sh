@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the package needs: ROS 1 from Debian 12's own packages, or the rest beside ROS Noetic on Ubuntu 20.04.
+# Installs what the package needs: on Debian 12 with ROS 1 from Debian's own packages, on Ubuntu 20.04 beside ROS Noetic.
 set -euo pipefail
 
 common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libboost-program-options-dev libconsole-bridge-dev libgtest-dev
@@ -12,7 +12,7 @@ if [ -d /opt/ros/noetic ]; then
     ros-noetic-std-srvs ros-noetic-roslib ros-noetic-topic-tools ros-noetic-message-generation
     ros-noetic-message-runtime)
 elif grep -q '^VERSION_CODENAME=focal' /etc/os-release; then
-  echo "/opt/ros/noetic: expected ROS Noetic, which Ubuntu 20.04 needs, but found none; install ros-noetic-ros-base first" >&2
+  echo "/opt/ros/noetic: expected ROS Noetic on Ubuntu 20.04, found none: install ros-noetic-ros-base first" >&2
   exit 1
 else
   packages=("${common[@]}" catkin ros-message-generation ros-message-runtime libroscpp-dev librosbag-dev

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures the running nodes: latency of a diagnosis for 200 pushes at 1 kHz, load of the episode node, and whether eight
-# robots at 1 kHz lose a sample in SECONDS (default 120). Usage: scripts/soak.sh [SECONDS]
+# Measures the running nodes: the latency of a diagnosis over 200 pushes at 1 kHz, the load of the episode node, and whether
+# eight robots at 1 kHz lose a sample in SECONDS (default 120). Usage: scripts/soak.sh [SECONDS]
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -22,11 +22,11 @@ unset ROS_HOSTNAME
 folder=$(mktemp -d)
 started=()
 finish() {
-  # The last of what the nodes said, where something failed.
+  # After a failure, the end of the nodes' log says more.
   [ $? -eq 0 ] || tail "$folder/log" >&2 || true
   for process in ${started[@]+"${started[@]}"}; do
     kill "$process" 2>/dev/null || continue
-    # One that does not end by itself within 20 s is ended.
+    # Kills a process that does not end within 20 s.
     for ((attempt = 1; attempt <= 200; ++attempt)); do kill -0 "$process" 2>/dev/null && sleep 0.1 || break; done
     kill -KILL "$process" 2>/dev/null || true
   done
@@ -39,12 +39,12 @@ start() {
   started+=($!)
 }
 
-# Clock ticks of the processor that a process has used.
+# Prints the processor time of a process in clock ticks.
 ticks() {
   awk '{print $14 + $15}' "/proc/$1/stat"
 }
 
-# Drives the nodes, and fails where that takes far longer than it should.
+# Drives the nodes. Fails if that takes far longer than it should.
 drive() {  # ROBOTS SECONDS
   local limit=$(($2 + 300)) status=0
   timeout --foreground "$limit" "$programs/live_load" --robots "$1" --seconds "$2" || status=$?
@@ -79,7 +79,7 @@ for robot in 1 2 3 4 5 6 7; do
   start env ROS_NAMESPACE="robot$robot" "$programs/episode_node"
   start env ROS_NAMESPACE="robot$robot" "$programs/classifier_node" _model:="$folder/model.bag"
 done
-# The first robot's counts start anew, too.
+# A new node for the first robot, so that its counts also start at zero.
 kill "$episode_node"
 start env ROS_NAMESPACE=robot0 "$programs/episode_node"
 echo "Eight robots, $seconds s:"

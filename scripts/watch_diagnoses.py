@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Prints one line per diagnosed episode: the outcome given, the event diagnosed, the confidence, and how long after its last
-sample the diagnosis came. Ends after a number of episodes with a summary; exits 1 where an outcome was diagnosed as another event,
-2 where the episodes did not come in time."""
+"""Prints one line per diagnosed episode: its outcome, the diagnosed event, the confidence, and the time from the last sample to the
+diagnosis. Ends after a number of episodes with a summary. Exits with 1 if a diagnosis was wrong, 2 if the episodes did not come in
+time."""
 
 import argparse
 import bisect
@@ -16,12 +16,12 @@ from contact_shapelets.msg import Diagnosis, Episode
 from geometry_msgs.msg import WrenchStamped
 from std_msgs.msg import String
 
-# An outcome is said within this time of its episode's diagnosis [s]; episodes are farther apart.
+# [s] An outcome and a diagnosis that arrive within this time belong to one episode. Episodes are farther apart.
 TOGETHER = 1.0
 
 
 class DiagnosisWatch:
-    """Joins what arrives on the topics of one cell."""
+    """Joins the messages on the topics of one cell."""
 
     def __init__(self, unknown_outcomes):
         self._changed = threading.Condition()
@@ -63,14 +63,14 @@ class DiagnosisWatch:
             self._changed.notify_all()
 
     def _latency(self, arrived, episode_id):
-        """Time from the arrival of the episode's last sample to `arrived` [s]; 0 where this program took up the diagnosis first,
-        as connections are served by threads of their own."""
+        """Returns the time [s] from the arrival of the episode's last sample to `arrived`. Each connection has its own thread, so
+        this program may take the diagnosis before the sample; then it returns 0."""
         last = bisect.bisect_right(self._stamps, self._ends[episode_id] + 1e-6) - 1
         return max(0.0, arrived - self._arrivals[max(last, 0)])
 
     def _next_pair(self):
-        """Takes the oldest outcome and the diagnosis that goes with it; what stands alone (a push before the nodes were up) is
-        left out. Returns None where neither is complete."""
+        """Takes the oldest outcome and its diagnosis. Drops outcomes and diagnoses that stand alone, such as those of a push
+        before the nodes were up. Returns None if there is no complete pair yet."""
         while self._outcomes and self._diagnoses:
             (said, outcome), (arrived, diagnosis) = self._outcomes[0], self._diagnoses[0]
             if abs(said - arrived) < TOGETHER:
@@ -83,7 +83,7 @@ class DiagnosisWatch:
         return None
 
     def wait_for(self, index, deadline):
-        """Waits for the next episode and prints its line, numbered `index`. Returns False where none came."""
+        """Waits for the next episode and prints its line with the number `index`. Returns False if none came."""
         with self._changed:
             pair = self._next_pair()
             while pair is None:
@@ -102,9 +102,9 @@ class DiagnosisWatch:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--episodes", type=int, default=12, help="how many to wait for")
+    parser.add_argument("--episodes", type=int, default=12, help="number of episodes to wait for")
     parser.add_argument("--timeout", type=float, default=120.0, help="seconds to wait for all of them")
-    parser.add_argument("--unknown", nargs="*", default=[], help="outcomes that the model has not seen: 'unknown' is right")
+    parser.add_argument("--unknown", nargs="*", default=[], help="outcomes for which the event 'unknown' is right")
     arguments = parser.parse_args(rospy.myargv()[1:])
     rospy.init_node("watch_diagnoses", anonymous=True, disable_signals=True)
     watch = DiagnosisWatch(set(arguments.unknown))
@@ -113,10 +113,10 @@ def main():
     while seen < arguments.episodes and watch.wait_for(seen + 1, deadline):
         seen += 1
     if seen:
-        print(f"{watch.right} of {seen} episodes diagnosed as they went; diagnosis {statistics.median(watch.latencies):.1f} ms "
-              f"(median) and {max(watch.latencies):.1f} ms (most) after the last sample")
+        print(f"{watch.right} of {seen} diagnoses right; diagnosis {statistics.median(watch.latencies):.1f} ms (median) and "
+              f"{max(watch.latencies):.1f} ms (longest) after the last sample")
     if seen < arguments.episodes:
-        print(f"only {seen} of {arguments.episodes} episodes came within {arguments.timeout:g} s", file=sys.stderr)
+        print(f"Only {seen} of {arguments.episodes} episodes came within {arguments.timeout:g} s", file=sys.stderr)
         return 2
     return 0 if watch.right == seen else 1
 

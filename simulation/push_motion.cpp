@@ -113,7 +113,7 @@ void PushMotion::Follow(double target, double speed, double period) {
   const double braking = std::sqrt(2.0 * condition_.acceleration * std::abs(way));
   const double wanted = sign * std::min(speed, braking);
   const double change = condition_.acceleration * period;
-  // While braking, the speed follows `wanted`, whose slope may exceed the acceleration by a step's rounding.
+  // While braking, the speed follows `wanted`. Its slope may exceed the acceleration by a step's rounding.
   speed_ = std::abs(wanted) < speed && wanted * speed_ > 0.0 && std::abs(speed_) >= std::abs(wanted)
                ? wanted
                : speed_ + std::clamp(wanted - speed_, -change, change);
