@@ -177,7 +177,7 @@ double Drive(const Robots& robots, const Arguments& arguments) {
   const auto elapsed = [&start] { return (ros::WallTime::now() - start).toSec(); };
   std::int64_t sent = 0;
   for (double time = 0.0; ros::ok() && time < arguments.seconds; time = elapsed()) {
-    // After a delay, sends what is missing, so that the rate holds.
+    // After a delay, sends the missing wrenches, so that the rate holds.
     for (; static_cast<double>(sent) <= time * arguments.rate; ++sent) {
       for (const auto& robot : robots) robot->Send();
     }
@@ -186,7 +186,7 @@ double Drive(const Robots& robots, const Arguments& arguments) {
   return elapsed();
 }
 
-/// Prints what the nodes received and diagnosed. Returns the number of samples lost.
+/// Prints how many wrenches were lost, and the latencies of the diagnoses. Returns the number of wrenches lost.
 std::int64_t PrintResults(const Robots& robots, const Received& received, double duration) {
   std::int64_t lost = 0;
   std::int64_t sent = 0;

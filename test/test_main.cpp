@@ -1,4 +1,4 @@
-// catkin links gtest, and gtest_main only where it builds GoogleTest from source.
+// catkin links gtest_main only if it builds GoogleTest from source.
 #include <gtest/gtest.h>
 
 int main(int argc, char** argv) {

@@ -14,7 +14,7 @@ constexpr char kQuick[] = "steps: 2\nscales: [0.1, 0.3]\nstart_windows: 300\nthr
 
 class BadInputTest : public testing::Test {
  protected:
-  /// Expects this exit status, nothing else than one line on stderr, and all `parts` in it.
+  /// Expects this exit status, and one line on stderr that holds all `parts`.
   static void ExpectRefusal(const std::vector<std::string>& arguments, int status,
                             const std::vector<std::string>& parts) {
     const ProgramRun run = RunShapelets(arguments);
@@ -23,13 +23,13 @@ class BadInputTest : public testing::Test {
     for (const std::string& part : parts) EXPECT_NE(run.err.find(part), std::string::npos) << part << "\n" << run.err;
   }
 
-  /// Expects that training on `bag` is refused, and that no model is left.
+  /// Expects that the program refuses to train on `bag` and leaves no model.
   void ExpectTrainingRefused(const std::string& bag, const std::vector<std::string>& parts) {
     ExpectRefusal({"train", bag, "--model", model_, "--config", quick_}, 1, parts);
-    EXPECT_THROW(ReadFile(model_), std::runtime_error) << "a model was written";
+    EXPECT_THROW(ReadFile(model_), std::runtime_error) << "there is a model";
   }
 
-  /// Expects that four runs at the same time all succeed, and that they leave no temporary file.
+  /// Expects that four runs at the same time all succeed and leave no temporary file.
   void ExpectFourRunsTogether(const std::vector<std::string>& arguments) {
     std::vector<std::thread> runs;
     for (int index = 0; index < 4; ++index) {
@@ -77,9 +77,9 @@ TEST_F(BadInputTest, BagThatIsDamagedWithin) {
   ExpectRefusal({"inspect", folder_ / "damaged.bag"}, 1, {"damaged.bag", "damaged"});
 }
 
-TEST_F(BadInputTest, MessageThatIsLeftOutOfADamagedBagIsSaidOfThatBag) {
+TEST_F(BadInputTest, PartLeftOutOfADamagedBagIsReportedForThatBag) {
   std::string bag = ReadFile(Sound());
-  // The first time in the first index: behind the field of its version and the length of its data, 4 bytes each.
+  // The first time in the first index comes after the version and the length of the data, 4 bytes each.
   const std::size_t time = bag.find("ver=") + 4 + 4 + 4;
   bag.replace(time, 8, 8, '\0');
   const std::string damaged = WriteFile(folder_ / "damaged.bag", bag);
@@ -183,7 +183,7 @@ TEST_F(BadInputTest, FilesWithoutPermissionAreNamed) {
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   ExpectRefusal({"classify", bag, "--model", model_, "--csv", table}, 1, {"table.csv", "write-protected"});
   ExpectRefusal({"report", model_, bag, "--out", report}, 1, {"--out", "episodes.csv", "write-protected"});
-  EXPECT_THROW(ReadFile(report + "/index.html"), std::runtime_error) << "half a report was written";
+  EXPECT_THROW(ReadFile(report + "/index.html"), std::runtime_error) << "there is half a report";
   chmod(bag.c_str(), 0200);
   ExpectRefusal({"classify", bag, "--model", bag}, 1, {"sound.bag", "Permission denied"});
 }
@@ -230,7 +230,7 @@ TEST_F(BadInputTest, FailedTrainingLeavesTheOldModel) {
   EXPECT_EQ(ReadFile(model_), before);
 }
 
-TEST_F(BadInputTest, ResultsThatCannotBeWrittenToStdoutAreAFault) {
+TEST_F(BadInputTest, ResultsThatCannotBeWrittenToStdoutAreAnError) {
   const ProgramRun run = RunShapeletsWithoutSpace({"inspect", Sound()});
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(Lines(run.err).size(), 1U) << run.err;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kQuick[] = "steps: 3\nscales: [0.2, 0.4]\nstart_windows: 300\n";
 
-/// `count` series of 40 samples in turn of two classes: a hill and a valley, at places that differ.
+/// Returns `count` rows with series of 40 samples. Their classes alternate: a hill and a valley, at different places.
 std::string Rows(int count) {
   std::ostringstream rows;
   for (int row = 0; row < count; ++row) {
@@ -35,7 +35,7 @@ void WriteDataSet(const TemporaryFolder& folder, const std::string& name, const 
   WriteFile(folder / (name + "/" + name + "_TEST.tsv"), Rows(16));
 }
 
-/// The JSON without what differs from run to run, the times.
+/// Returns the JSON without times, which differ from run to run.
 std::string WithoutTimes(const std::string& json) {
   return std::regex_replace(json, std::regex("\"fit_seconds\": [^}]*"), "");
 }
@@ -72,11 +72,11 @@ TEST(Evaluate, PrintsATableOfMeansDeviationsAndBestsForEachScore) {
   const auto run = RunShapelets({"evaluate", "--data", folder / "", "--methods", "kmeans,kshape", "--seeds", "3"});
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(Count(run.out, "| data set | kmeans | kshape |"), 4);
-  // A hill and a valley are told apart wherever they are by their shape.
+  // The shape tells a hill from a valley wherever they are.
   EXPECT_NE(run.out.find("1.000 ± 0.000 (1.000) |\n"), std::string::npos) << run.out;
 }
 
-TEST(Evaluate, KeepsTheOtherDataSetsWhereOneIsBadAndNamesItsFileAndRow) {
+TEST(Evaluate, KeepsTheOtherDataSetsIfOneIsBadAndNamesItsFileAndRow) {
   const TemporaryFolder folder;
   WriteDataSet(folder, "Good", Rows(20));
   WriteDataSet(folder, "Short", "1\t0\t1\t2\n1\t0\t2\n");

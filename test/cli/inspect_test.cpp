@@ -114,7 +114,7 @@ TEST(InspectTest, ModelOfAnotherMessageVersionIsAFinding) {
   EXPECT_TRUE(Contains(run.out, "train again")) << run.out;
 }
 
-/// A recording of a real robot, in the optional folder of data beside the package.
+/// Recordings of a real robot, in the optional data folder beside the package.
 class RecordedTest : public testing::Test {
  protected:
   void SetUp() override {

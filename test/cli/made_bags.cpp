@@ -22,7 +22,7 @@ constexpr int kCycle = 300;
 constexpr double kStart = 10000.0;
 constexpr std::array<const char*, 3> kOutcomes{"sharp", "broad", "double"};
 
-/// The push force at `time` [s] of its cycle: one pulse, a long one, or two.
+/// Returns the push force at `time` [s] of its cycle: a short pulse, a long one, or two.
 double Pulse(int kind, double time) {
   const auto bell = [time](double middle, double width) {
     return 15.0 * std::exp(-std::pow((time - middle) / width, 2));
@@ -32,7 +32,7 @@ double Pulse(int kind, double time) {
   return bell(0.9, 0.1) + bell(1.5, 0.1);
 }
 
-/// Turns the message of this sample into what a flawed driver sends; returns whether it is sent at all.
+/// Changes the message of this sample to that of a flawed driver. Returns false if the driver would not send it.
 bool Spoil(Flaw flaw, int sample, geometry_msgs::WrenchStamped* wrench) {
   if (flaw == Flaw::kNotFinite && sample % 50 == 7) wrench->wrench.force.y = std::numeric_limits<double>::quiet_NaN();
   if (flaw == Flaw::kFlat) wrench->wrench.force.x = 2.0;
@@ -79,7 +79,7 @@ std::string Make(const std::string& path, const MadeBag& content) {
   std::vector<WrenchWriter> writers;
   for (const std::string& topic : content.wrench_topics) writers.emplace_back(topic, content.flaw, &bag);
   for (int sample = 0; sample < content.episodes * kCycle; ++sample) {
-    // Uniform noise by hand: the distributions of the standard library differ between libraries.
+    // The distributions of standard libraries differ, so the noise is computed here.
     const double noise = 0.4 * (static_cast<double>(generator()) / 4294967296.0 - 0.5);
     const double force = Pulse(sample / kCycle % 3, static_cast<double>(sample % kCycle) / kRate) + noise;
     for (WrenchWriter& writer : writers) writer.Write(sample, force);

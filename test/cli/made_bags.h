@@ -8,34 +8,34 @@
 
 namespace contact_shapelets::test {
 
-/// What is done to the wrench of a made bag.
+/// The flaw of the wrench in a made bag.
 enum class Flaw {
   kNone,
   kNotFinite,   ///< every 50th sample is NaN
-  kFrozen,      ///< the first message again and again, stamp and all
-  kRepeated,    ///< every 10th message twice, stamp and all
-  kFlat,        ///< a new stamp, but always the same force
-  kZeroStamps,  ///< no stamp
-  kLateStamps,  ///< stamps of a clock that is an hour behind
-  kGap,         ///< half a second is missing within each episode
+  kFrozen,      ///< the driver repeats the first message with its stamp
+  kRepeated,    ///< every 10th message repeats the one before, with its stamp
+  kFlat,        ///< stamps are new, but the force is always the same
+  kZeroStamps,  ///< messages have no stamp
+  kLateStamps,  ///< stamps come from a clock that is an hour behind
+  kGap,         ///< half a second is missing in each episode
 };
 
-/// A bag of `episodes` pushes at 100 Hz with force pulses of three forms in turn, 3 s each.
+/// A bag of `episodes` pushes at 100 Hz, 3 s each. Their force pulses have three forms in turn.
 struct MadeBag {
   int episodes = 6;
   Flaw flaw = Flaw::kNone;
   std::vector<std::string> wrench_topics{"/wrench"};
-  bool triggers = true;  ///< episode_active around each push, 2.4 s
-  bool outcomes = true;  ///< "sharp", "broad" and "double" after each push
+  bool triggers = true;  ///< whether `episode_active` marks 2.4 s around each push
+  bool outcomes = true;  ///< whether "sharp", "broad" or "double" follows each push
 };
 
 /// Writes the bag and returns `path`.
 std::string Make(const std::string& path, const MadeBag& content);
 
-/// Copies the first `count` Episode messages of `source` to `path`, and returns `path`.
+/// Copies the first `count` Episode messages of `source` to `path` and returns `path`.
 std::string CutEpisodes(const std::string& source, int count, const std::string& path);
 
-/// Writes a bag that says it holds a ShapeletModel, but of another definition, and returns `path`.
+/// Writes a bag with a ShapeletModel of another definition and returns `path`.
 std::string MakeModelOfAnotherVersion(const std::string& path);
 
 }  // namespace contact_shapelets::test

@@ -27,7 +27,7 @@ std::vector<std::string> Cells(const std::string& line) {
   return cells;
 }
 
-/// The part of the pairs that two partitions group alike, by its definition.
+/// Returns the Rand index by its definition: the part of the pairs that two partitions group alike.
 double RandIndex(const std::vector<std::string>& first, const std::vector<std::string>& second) {
   double alike = 0.0;
   double pairs = 0.0;
@@ -48,7 +48,7 @@ std::map<std::string, int> MessagesOf(const std::string& path) {
   return counts;
 }
 
-/// One model for all tests, trained on the first recorded switch pushes.
+/// Trains one model for all tests, on the first recorded switch pushes.
 class OutputsTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -71,7 +71,7 @@ std::string OutputsTest::bag_;
 std::string OutputsTest::model_;
 ProgramRun OutputsTest::training_;
 
-TEST_F(OutputsTest, TrainingSaysWhatItFound) {
+TEST_F(OutputsTest, TrainingPrintsItsResult) {
   EXPECT_EQ(training_.status, 0) << training_.err;
   EXPECT_NE(training_.out.find("30 episodes of 4.33 s"), std::string::npos) << training_.out;
   EXPECT_NE(training_.out.find("cluster 2: "), std::string::npos) << training_.out;
@@ -79,7 +79,7 @@ TEST_F(OutputsTest, TrainingSaysWhatItFound) {
   EXPECT_NE(training_.out.find(model_), std::string::npos) << training_.out;
 }
 
-TEST_F(OutputsTest, ModelSaysWhereItCameFrom) {
+TEST_F(OutputsTest, ModelNamesItsSources) {
   const core::Model model = LoadModel(model_);
   EXPECT_EQ(model.clusters.size(), 3U);
   EXPECT_EQ(model.provenance.sources, std::vector<std::string>{bag_});
@@ -109,7 +109,7 @@ TEST_F(OutputsTest, CsvHasTheAgreedColumnsAndOneLinePerEpisode) {
 
 TEST_F(OutputsTest, ClassifyEndsWithTheRandIndexOfItsOwnTable) {
   const std::string csv = *folder_ / "scored.csv";
-  // A novel episode has no cluster in the table, but counts by its nearest one: here none may be novel.
+  // The table has no cluster for a novel episode, but the index takes the nearest one. So none may be novel here.
   const ProgramRun run = RunShapelets({"classify", bag_, "--model", model_, "--csv", csv});
   std::vector<std::string> outcomes;
   std::vector<std::string> clusters;
@@ -158,7 +158,7 @@ TEST_F(OutputsTest, EqualSeedsGiveEqualModels) {
   EXPECT_EQ(LoadModel(again).id, LoadModel(model_).id);
   ASSERT_EQ(RunShapelets({"train", bag_, "--model", again, "--config", *folder_ / "quick.yaml", "--seed", "7"}).status,
             0);
-  EXPECT_NE(LoadModel(again).id, LoadModel(model_).id) << "the older model was not replaced";
+  EXPECT_NE(LoadModel(again).id, LoadModel(model_).id) << "the older model is still there";
 }
 
 TEST_F(OutputsTest, NumberOfClustersFollowsTheArgument) {
@@ -184,7 +184,7 @@ TEST_F(OutputsTest, ContactSegmentationNeedsNoTrigger) {
   const ProgramRun run = RunShapelets(
       {"classify", Make(*folder_ / "contact.bag", content), "--model", model_, "--segmentation", "contact"});
   EXPECT_EQ(run.status, 0) << run.err;
-  // The two double pushes rest below contact_off for longer than contact_hold_off: two contacts each.
+  // Two pushes are double: they are below contact_off for longer than contact_hold_off, so they are two contacts each.
   EXPECT_NE(run.out.find("8 episodes by model"), std::string::npos) << run.out;
 }
 
@@ -207,7 +207,7 @@ TEST_F(OutputsTest, ReportIsOnePageThatNeedsNoOtherFile) {
 }
 
 TEST_F(OutputsTest, ReportListsNovelEpisodes) {
-  // Pulses that are unlike any push of a switch, against a model with narrow limits.
+  // These pulses are unlike any push of a switch, and the model has narrow limits.
   const std::string strict = *folder_ / "strict.bag";
   const std::string config =
       WriteFile(*folder_ / "strict.yaml", std::string(kQuick) + "novelty_quantile: 0.05\nnovelty_margin: 1.0\n");
@@ -218,7 +218,7 @@ TEST_F(OutputsTest, ReportListsNovelEpisodes) {
   const std::string page = ReadFile(out + "/index.html");
   EXPECT_NE(page.find("<th>novel episode</th>"), std::string::npos);
   EXPECT_NE(page.find("<td class=\"n\">10000.100</td>"), std::string::npos);
-  // "unknown" is right for an outcome that no cluster is named after.
+  // "unknown" is right for an outcome that is not the name of a cluster.
   EXPECT_NE(page.find("n right"), std::string::npos);
   EXPECT_EQ(page.find("n wrong"), std::string::npos);
 }

@@ -17,8 +17,8 @@
 namespace contact_shapelets::test {
 namespace {
 
-/// Takes root's right to read and write any file from what this process starts, so that a file's permissions hold for
-/// it as they do for others. False where that fails.
+/// Drops root's right to read and write any file in the programs that this process starts, so that permissions of files
+/// apply to root, too. Returns false if that fails.
 bool HeedPermissions() {
   if (geteuid() != 0) return true;
   for (const int capability : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH}) {
@@ -28,7 +28,7 @@ bool HeedPermissions() {
   return true;
 }
 
-/// Starts the program with stdout and stderr led to these descriptors.
+/// Starts the program with these descriptors as its stdout and stderr.
 pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
   std::vector<std::string> words{SHAPELETS_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -36,7 +36,7 @@ pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process can be started");
+  if (child < 0) throw std::runtime_error("cannot start a process");
   if (child == 0) {
     if (!HeedPermissions()) _exit(126);
     dup2(out, STDOUT_FILENO);
@@ -49,11 +49,11 @@ pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
 
 int OpenForWriting(const std::string& path) {
   const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (descriptor < 0) throw std::runtime_error(path + " cannot be written");
+  if (descriptor < 0) throw std::runtime_error("cannot write " + path);
   return descriptor;
 }
 
-/// Runs the program with stdout led to a file, which is not read.
+/// Runs the program with its stdout in a file; ProgramRun::out stays empty.
 ProgramRun RunInto(const std::string& path, const std::vector<std::string>& arguments) {
   const TemporaryFolder folder;
   const int out = OpenForWriting(path);
@@ -81,7 +81,7 @@ ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments) {
 
 bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number) {
   std::array<int, 2> pipe_ends{};
-  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe can be made");
+  if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("cannot make a pipe");
   const int nowhere = OpenForWriting("/dev/null");
   const pid_t child = Start(arguments, nowhere, pipe_ends[1]);
   close(pipe_ends[1]);
@@ -102,7 +102,7 @@ bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::str
 
 TemporaryFolder::TemporaryFolder() {
   path_ = (std::filesystem::temp_directory_path() / "shapelets_test_XXXXXX").string();
-  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
+  if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
 }
 
 TemporaryFolder::~TemporaryFolder() {

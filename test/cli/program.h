@@ -10,25 +10,25 @@
 
 namespace contact_shapelets::test {
 
-/// What a run of the program left.
+/// The results of a run of the program.
 struct ProgramRun {
-  int status = -1;  ///< exit status; -1 where a signal ended it
+  int status = -1;  ///< exit status; -1 if a signal ended it
   std::string out;
   std::string err;
 };
 
-/// Runs `shapelets` with these arguments and waits for its end. Permissions of files hold for it, also where root runs
-/// the test.
+/// Runs `shapelets` with these arguments and waits for its end. Permissions of files apply to it even if root runs the
+/// test.
 ProgramRun RunShapelets(const std::vector<std::string>& arguments);
 
-/// Runs it with its stdout led to a device without space.
+/// Runs it with a full device as its stdout.
 ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments);
 
-/// Starts `shapelets`, waits until it has written `text` to stderr, and sends it the signal `number`.
-/// Returns whether that ended it.
+/// Starts `shapelets`, waits until it has written `text` to stderr, and sends it the signal `number`. Returns true if
+/// the signal ended it.
 bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number);
 
-/// A folder that is removed with all that is in it.
+/// A folder that the destructor removes with all its files.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -45,11 +45,11 @@ class TemporaryFolder {
   std::string path_;
 };
 
-/// The whole file. \throws std::runtime_error where there is none.
+/// Returns the whole file. \throws std::runtime_error if there is none.
 std::string ReadFile(const std::string& path);
-/// Writes `text` to `path`, and returns `path`.
+/// Writes `text` to `path` and returns `path`.
 std::string WriteFile(const std::string& path, const std::string& text);
-/// The lines of `text`.
+/// Returns the lines of `text`.
 std::vector<std::string> Lines(const std::string& text);
 
 }  // namespace contact_shapelets::test

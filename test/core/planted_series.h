@@ -10,7 +10,7 @@
 
 namespace contact_shapelets::core {
 
-/// A noisy series [length] with one planted pattern at a random place: 0 a bump, 1 a double step, 2 a short burst.
+/// Returns a noisy series [length] with one pattern at a random place: 0 is a bump, 1 a double step, 2 a short burst.
 inline Eigen::VectorXf PlantedSeries(int pattern, int length, Random* random) {
   Eigen::VectorXf series(length);
   for (int q = 0; q < length; ++q) series[q] = static_cast<float>(0.1 * random->Normal());
@@ -26,8 +26,8 @@ inline Eigen::VectorXf PlantedSeries(int pattern, int length, Random* random) {
   return series;
 }
 
-/// `per_pattern` episodes of each of three planted patterns, outcomes "pattern_0" to "pattern_2", lengths varying by
-/// `spread` samples around 120.
+/// Returns `per_pattern` episodes of each of three patterns, with outcomes "pattern_0" to "pattern_2" and lengths that
+/// vary by `spread` samples around 120.
 inline std::vector<Episode> PlantedEpisodes(int per_pattern, int spread, std::uint64_t seed) {
   Random random(seed);
   std::vector<Episode> episodes;

@@ -1,4 +1,4 @@
-// The architecture: the core is plain C++ and runs without ROS, and each room uses only rooms below it.
+// Tests the architecture: the core is plain C++ and runs without ROS, and each room uses only rooms below it.
 #include <gtest/gtest.h>
 #include <link.h>
 
@@ -15,9 +15,9 @@ namespace {
 
 /// An `#include` line.
 struct Include {
-  std::string file;  ///< that holds it, from the package's root
+  std::string file;  ///< path of the file with this line, from the package's root
   int line = 0;
-  std::string header;  ///< what stands between the quotes or brackets
+  std::string header;  ///< the text between the quotes or brackets
 };
 
 std::vector<Include> IncludesIn(const std::string& folder) {
@@ -35,7 +35,7 @@ std::vector<Include> IncludesIn(const std::string& folder) {
   return includes;
 }
 
-/// How high each room lies: a file may include from lower rooms and from its own.
+/// Returns the height of each room. A file may include from lower rooms and from its own.
 const std::map<std::string, int>& Heights() {
   static const std::map<std::string, int> heights{
       {"core/numerics", 0}, {"core/stream", 1}, {"core/matching", 1},  {"core/clustering", 1},
@@ -46,7 +46,7 @@ const std::map<std::string, int>& Heights() {
   return heights;
 }
 
-/// The room of each public header: of the source that implements it, or of the lowest room that needs it.
+/// Returns the room of each public header: that of the source that implements it, or the lowest room that needs it.
 const std::map<std::string, std::string>& RoomsOfPublicHeaders() {
   static const std::map<std::string, std::string> rooms{
       {"core/cancelled.h", "core/numerics"},
@@ -69,7 +69,7 @@ const std::map<std::string, std::string>& RoomsOfPublicHeaders() {
   return rooms;
 }
 
-/// The room of a file, given its path below src/ or include/; empty if it is in none.
+/// Returns the room of a file by its path below src/ or include/; an empty string if it is in none.
 std::string RoomOf(const std::string& path) {
   const std::string own = "contact_shapelets/";
   if (path.compare(0, own.size(), own) == 0) {
@@ -82,7 +82,7 @@ std::string RoomOf(const std::string& path) {
   return "";
 }
 
-/// "file:line: header" of each include in `includes` that leads to a room which is not lower than its file's.
+/// Returns "file:line: header" for each of `includes` that leads to another room that is not lower.
 std::vector<std::string> WrongArrows(const std::vector<Include>& includes) {
   std::vector<std::string> wrong;
   for (const Include& include : includes) {
@@ -96,7 +96,7 @@ std::vector<std::string> WrongArrows(const std::vector<Include>& includes) {
   return wrong;
 }
 
-/// "file:line: header" of each include of a header of ROS or of this package's ROS part.
+/// Returns "file:line: header" for each of `includes` that names a header of ROS or of this package's ROS part.
 std::vector<std::string> RosIncludes(const std::vector<Include>& includes) {
   const std::regex ros(
       R"(^(ros/|ros\.h|rosbag/|roscpp|\w+_msgs/|std_srvs/|actionlib|diagnostic_updater/|topic_tools/|xmlrpcpp/|XmlRpc)"
@@ -110,11 +110,11 @@ std::vector<std::string> RosIncludes(const std::vector<Include>& includes) {
   return found;
 }
 
-/// Names of the libraries that `library` was linked with.
+/// Returns the names of the libraries that `library` is linked with.
 std::vector<std::string> LinkedLibraries(const struct link_map& library) {
   const char* strings = nullptr;
   for (const ElfW(Dyn)* entry = library.l_ld; entry->d_tag != DT_NULL; ++entry) {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader's interface.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives an integer.
     if (entry->d_tag == DT_STRTAB) strings = reinterpret_cast<const char*>(entry->d_un.d_ptr);
   }
   std::vector<std::string> names;
@@ -139,7 +139,7 @@ TEST(Rooms, AnArrowUpwardOrSidewaysIsFound) {
       {"src/core/stream/a.h", 2, "contact_shapelets/core/model.h"}};
   EXPECT_EQ(WrongArrows(up).size(), 1U);
   EXPECT_EQ(WrongArrows(sideways).size(), 1U);
-  EXPECT_EQ(WrongArrows(published).size(), 1U) << "within one room headers may include each other";
+  EXPECT_EQ(WrongArrows(published).size(), 1U) << "headers of one room may include each other";
 }
 
 TEST(Rooms, EveryFileIsInOne) {
@@ -167,7 +167,8 @@ TEST(Core, IncludesNoRos) {
 TEST(Core, TheSearchFindsTheIncludesOfTheRosPart) { EXPECT_GT(RosIncludes(IncludesIn("src/ros")).size(), 10U); }
 
 TEST(Core, LinksNoRosLibrary) {
-  ASSERT_GE(contact_shapelets::core::ThreadCount(0), 1) << "a call, so that the linker keeps the library";
+  // Without a call, the linker would leave out the library.
+  ASSERT_GE(contact_shapelets::core::ThreadCount(0), 1);
   const struct link_map* library = _r_debug.r_map;
   while (library != nullptr && std::string(library->l_name).find("libcontact_shapelets_core") == std::string::npos) {
     library = library->l_next;

@@ -5,7 +5,7 @@
 
 namespace contact_shapelets::core {
 
-/// True if `one` and `other` [N] split the items alike, whatever the numbers of the parts.
+/// Returns true if `one` and `other` [N] split the items alike, whatever the numbers of the parts.
 inline bool SamePartition(const Eigen::Ref<const Eigen::VectorXi>& one,
                           const Eigen::Ref<const Eigen::VectorXi>& other) {
   if (one.size() != other.size()) return false;

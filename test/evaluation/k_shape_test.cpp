@@ -10,7 +10,7 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// A shape of 12 samples somewhere in 64: 0 a bump, 1 one period of a sine.
+/// Returns a series of 64 samples with a shape of 12 samples: 0 is a bump, 1 one period of a sine.
 Eigen::VectorXd Shape(int kind, int start) {
   Eigen::VectorXd series = Eigen::VectorXd::Zero(64);
   for (int index = 0; index < 12; ++index) {
@@ -55,7 +55,7 @@ TEST(CompareShapes, IsZeroForTheSameShapeMovedAndScaled) {
 }
 
 TEST(CompareShapes, MatchesACaseDoneByHand) {
-  // Of (1, 2) and (2, -1) the shifts 0, 1, -1 give 0, 4 and -1 over 5.
+  // The shifts 0, 1 and -1 of (1, 2) and (2, -1) give 0, 4 and -1 over 5.
   const ShapeDistance distance = CompareShapes(Eigen::Vector2d(1, 2), Eigen::Vector2d(2, -1));
   EXPECT_NEAR(distance.distance, 0.2, 1e-12);
   EXPECT_EQ(distance.shift, 1);
@@ -87,7 +87,7 @@ TEST(ExtractShape, AlignsItsMembersToTheReference) {
 }
 
 TEST(ExtractShape, IsTheSameByEitherGramMatrix) {
-  // Twice the same members have the same leading direction, but more rows than columns.
+  // Each member twice gives the same leading direction, but more rows than columns.
   const Eigen::MatrixXd members = Shapes(40, 5);
   Eigen::MatrixXd twice(80, 64);
   twice << members, members;
@@ -118,7 +118,7 @@ TEST(KShape, GivesTheSamePartitionWhenEverySeriesIsMoved) {
 }
 
 TEST(KShape, LeavesNoClusterEmpty) {
-  // Of two shapes only, three of five clusters would be left without a member.
+  // There are two shapes only, so three of five clusters would be left empty.
   Eigen::MatrixXd shapes(12, 64);
   for (int row = 0; row < 12; ++row) shapes.row(row) = Shape(row % 2, 20).transpose();
   KShapeOptions options;
@@ -134,7 +134,7 @@ TEST(KShape, RefusesFewerSeriesThanClusters) {
   EXPECT_THROW(KShape(Shapes(2, 1), options), std::invalid_argument);
 }
 
-TEST(ExtractShape, FindsTheLeadingDirectionWhereTheMembersSumUpToALesserOne) {
+TEST(ExtractShape, FindsTheLeadingDirectionIfTheSumOfTheMembersIsALesserOne) {
   Eigen::MatrixXd members(3, 4);
   members << 3, -3, 0, 0, -3, 3, 0, 0, 0, 0, 1, -1;
   const Eigen::VectorXd shape = ExtractShape(members, Eigen::VectorXd::Zero(4));

@@ -135,11 +135,11 @@ TEST(CompareWithOutcomes, ComparesThoseThatHaveOne) {
   const auto agreement = CompareWithOutcomes(labels, episodes);
   ASSERT_TRUE(agreement);
   EXPECT_EQ(agreement->episodes, 3U);
-  // Of the three pairs only the first one is grouped alike.
+  // Only the first of the three pairs is grouped alike.
   EXPECT_NEAR(agreement->scores.rand_index, 1.0 / 3.0, 1e-12);
 }
 
-TEST(CompareWithOutcomes, SaysNothingWhereFewerThanTwoHaveOne) {
+TEST(CompareWithOutcomes, ReturnsNothingIfFewerThanTwoHaveOne) {
   std::vector<core::Episode> episodes(3);
   episodes[1].outcome = "on";
   EXPECT_FALSE(CompareWithOutcomes(Eigen::VectorXi::Zero(3), episodes));

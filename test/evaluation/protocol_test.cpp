@@ -15,7 +15,7 @@ const core::TrainerOptions& Defaults() {
   return options;
 }
 
-/// Features that are the class itself, known from the first value of a series.
+/// A method with perfect features: the class, which it reads from the first value of a series.
 class PerfectClusterer : public FeatureClusterer {
  public:
   Eigen::MatrixXf Transform(const std::vector<Eigen::VectorXf>& series) const override {
@@ -32,7 +32,7 @@ class PerfectClusterer : public FeatureClusterer {
   void Learn(const std::vector<Eigen::VectorXf>& /*train*/, int /*clusters*/, std::uint64_t /*seed*/) override {}
 };
 
-/// `count` series of 4 samples, the class being the place of a single peak.
+/// Returns `count` series of 4 samples. The class is the place of the only peak.
 LabelledSeries Peaks(int count, int classes) {
   LabelledSeries peaks;
   peaks.classes.resize(count);
@@ -91,7 +91,7 @@ TEST(Evaluate, GivesPerfectFeaturesARandIndexOfOneInAllThreeScores) {
 }
 
 TEST(Evaluate, ZNormalisesSeries) {
-  // Peaks of any height are one shape once they are z-normalised.
+  // Peaks of any height have one shape after z-normalisation.
   const std::unique_ptr<Clusterer> kmeans = MakeClusterer("kmeans", Defaults());
   EXPECT_EQ(Evaluate(Peaks(), "kmeans", 0, kmeans.get()).test.rand_index, 1.0);
 }
@@ -109,7 +109,7 @@ TEST(Evaluate, DoesNotLetTheClassesReachTheMethod) {
   EXPECT_GT(truth, 0.9);
 }
 
-/// Every method that is compared by default.
+/// The methods of a default evaluation.
 class EveryMethod : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryMethod, GivesEqualScoresForEqualSeedsAndNoClusterOutsideTheRange) {
@@ -137,11 +137,11 @@ TEST_P(EveryMethod, AcceptsSeriesOfDifferentLengths) {
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod, testing::ValuesIn(ClustererNames()),
                          [](const auto& info) { return info.param; });
 
-TEST(MakeClusterer, RefusesAMethodThatIsNotThereNamingThoseThatAre) {
+TEST(MakeClusterer, RefusesAnUnknownMethodAndNamesTheKnownOnes) {
   for (const std::string name : {"magic", "udfs_k", "udfs_k0", "udfs_k1234", "udfs_kx", "udfs_k-1"}) {
     try {
       MakeClusterer(name, Defaults());
-      FAIL() << name << " was accepted";
+      FAIL() << "accepted " << name;
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string(error.what()).find("nn_stne_paper"), std::string::npos);
     }

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for data sets, deleted at the end of the test.
+/// A folder for data sets, which the end of the test deletes.
 class UcrReader : public testing::Test {
  protected:
   void SetUp() override {
@@ -33,14 +33,14 @@ class UcrReader : public testing::Test {
 
   DataSet Read() const { return ReadUcrDataSet(folder_.string(), "Toy", nullptr); }
 
-  /// The message with which reading fails, without the folder.
-  std::string Fault() const {
+  /// Returns the message of the reader's exception, without the folder.
+  std::string Error() const {
     try {
       Read();
     } catch (const std::runtime_error& error) {
       return std::string(error.what()).substr(folder_.string().size() + 1);
     }
-    return "read without a fault";
+    return "no exception";
   }
 
   const std::string kGood = "1\t0\t1\t2\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n";
@@ -78,57 +78,57 @@ TEST_F(UcrReader, LeavesOutPaddingAndInterpolatesMissingValues) {
 
 TEST_F(UcrReader, NamesAMissingFile) {
   Write("Toy/Toy_TRAIN.tsv", kGood);
-  EXPECT_EQ(Fault().find("Toy/Toy_TEST.tsv: there is no such file"), 0U);
+  EXPECT_EQ(Error().find("Toy/Toy_TEST.tsv: there is no such file"), 0U);
 }
 
 TEST_F(UcrReader, NamesTheRowOfAnotherWidth) {
   WriteBoth("1\t0\t1\t2\n1\t0\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: expected 4 columns as in the first row, found 3");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 2: expected 4 columns as in the first row, found 3");
 }
 
 TEST_F(UcrReader, NamesRowAndColumnOfAValueThatIsNotANumber) {
   WriteBoth("1\t0\t1\t2\n1\t0\t2\t2\n-1\t3\tone\t0\n-1\t3\t2\t0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 3: column 3 holds 'one', which is not a number");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 3: column 3 holds 'one', which is not a number");
 }
 
 TEST_F(UcrReader, RefusesAQuestionMarkForAMissingValue) {
   WriteBoth("1\t0\t1\t2\n1\t0\t?\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '?', which is not a number");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '?', which is not a number");
 }
 
 TEST_F(UcrReader, RefusesASingleColumn) {
   WriteBoth("1\n1\n-1\n-1\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: the series has fewer than 2 values");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 1: the series has fewer than 2 values");
 }
 
 TEST_F(UcrReader, RefusesAnEmptyValue) {
   WriteBoth("1,0,1,2\n1,0,,2\n-1,3,1,0\n-1,3,2,0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '', which is not a number");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 2: column 3 holds '', which is not a number");
 }
 
 TEST_F(UcrReader, RefusesAnInfiniteValue) {
   for (const std::string value : {"inf", "-inf", "1e400", "-1e39"}) {
     WriteBoth("1\t0\t1\t" + value + "\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
-    EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: column 4 holds an infinite value") << value;
+    EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 1: column 4 holds an infinite value") << value;
   }
 }
 
 TEST_F(UcrReader, NamesTheRowOfAConstantSeries) {
   WriteBoth("1\t0\t1\t2\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t0.1\t0.1\t0.1\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 4: the series is constant");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 4: the series is constant");
 }
 
 TEST_F(UcrReader, RefusesASeriesOfPaddingAlone) {
   WriteBoth("1\t0\t1\t2\n1\t0\tNaN\tNaN\n-1\t3\t1\t0\n-1\t3\t2\t0\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 2: the series has fewer than 2 values");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 2: the series has fewer than 2 values");
 }
 
 TEST_F(UcrReader, RefusesAClassWithOneMemberInEitherFile) {
   WriteBoth("1\t0\t1\t2\n1\t0\t2\t2\n-1\t3\t1\t0\n-1\t3\t2\t0\n7\t3\t2\t1\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 5: class 7 has one member, expected 2 or more");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 5: class 7 has one member, expected 2 or more");
 }
 
-TEST_F(UcrReader, NotesAClassWithOneMemberInOneFileOnly) {
+TEST_F(UcrReader, AddsANoteOnAClassWithOneMemberInOneFileOnly) {
   WriteBoth("1\t0\t1\t2\n-1\t3\t1\t0\n1\t0\t2\t2\n");
   std::vector<std::string> notes;
   EXPECT_EQ(ReadUcrDataSet(folder_.string(), "Toy", &notes).class_count, 2);
@@ -138,12 +138,12 @@ TEST_F(UcrReader, NotesAClassWithOneMemberInOneFileOnly) {
 
 TEST_F(UcrReader, RefusesFewerSeriesThanClasses) {
   WriteBoth("1\t0\t1\t2\n");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: the file ends with 1 series, fewer than the 2 classes of the data set");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 1: the file ends with 1 series, fewer than the 2 classes of the data set");
 }
 
 TEST_F(UcrReader, RefusesAnEmptyFile) {
   WriteBoth("");
-  EXPECT_EQ(Fault(), "Toy/Toy_TRAIN.tsv: row 1: expected a series, but the file is empty");
+  EXPECT_EQ(Error(), "Toy/Toy_TRAIN.tsv: row 1: expected a series, but the file is empty");
 }
 
 TEST_F(UcrReader, ListsTheDataSetsOfAFolder) {

@@ -9,7 +9,8 @@
 namespace contact_shapelets::evaluation {
 namespace {
 
-/// `count` points of 3 groups: the `planted` features tell groups apart, the others are noise of the same variance.
+/// Returns `count` points of 3 groups. The `planted` features tell groups apart; the others are noise of equal
+/// variance.
 Eigen::MatrixXd PlantedPoints(int count, int features, const std::vector<int>& planted, std::uint64_t seed) {
   core::Random random(seed);
   Eigen::MatrixXd points(count, features);
@@ -47,8 +48,9 @@ TEST(SelectFeatures, NeverRaisesItsObjective) {
 }
 
 TEST(SelectFeatures, MatchesACaseDoneByHand) {
-  // Two points, one neighbour: centred, both neighbourhoods are (-1, 1) along the first feature and 0 along the second.
-  // So X H B H X^T = 2 * 1 / (2 + lambda) there, M = diag(4 / 3, 0) for lambda = 1, and W is the second axis.
+  // Two points with one neighbour: both centred neighbourhoods are (-1, 1) along the first feature and 0 along the
+  // second. So X H B H X^T is 2 * 1 / (2 + lambda) along the first, M = diag(4 / 3, 0) for lambda = 1, and W is the
+  // second axis.
   Eigen::MatrixXd points(2, 2);
   points << 0.0, 5.0, 2.0, 5.0;
   UdfsOptions options;
@@ -59,11 +61,11 @@ TEST(SelectFeatures, MatchesACaseDoneByHand) {
   EXPECT_NEAR(result.weights[0], 0.0, 1e-9);
   EXPECT_NEAR(result.weights[1], 1.0, 1e-9);
   EXPECT_NEAR(result.objectives.back(), 0.5, 1e-9);
-  // With as many clusters as features W is a whole basis, and its trace that of M.
+  // With as many clusters as features, W is a whole basis, and tr(W^T M W) is the trace of M.
   EXPECT_NEAR(SelectFeatures(points, 2, options).objectives.front(), 4.0 / 3.0 + 0.5 * 2.0, 1e-9);
 }
 
-TEST(SelectFeatures, TakesAllOthersWhereThereAreFewerPointsThanNeighbours) {
+TEST(SelectFeatures, TakesAllOtherPointsIfThereAreFewerThanNeighbours) {
   UdfsOptions many;
   many.neighbours = 50;
   UdfsOptions exact;
@@ -72,7 +74,7 @@ TEST(SelectFeatures, TakesAllOthersWhereThereAreFewerPointsThanNeighbours) {
   EXPECT_EQ(SelectFeatures(points, 2, many).weights, SelectFeatures(points, 2, exact).weights);
 }
 
-TEST(SelectFeatures, RefusesWhatItCannotWorkOn) {
+TEST(SelectFeatures, RefusesInvalidInput) {
   const Eigen::MatrixXd points = PlantedPoints(6, 3, {1}, 4);
   EXPECT_THROW(SelectFeatures(points.topRows(1), 2, UdfsOptions{}), std::invalid_argument);
   EXPECT_THROW(SelectFeatures(points, 4, UdfsOptions{}), std::invalid_argument);

@@ -18,7 +18,7 @@ Eigen::MatrixXd PlantedRows(int per_pattern, std::uint64_t seed) {
 }
 
 TEST(SoftMinimumDistances, MatchesACaseDoneByHand) {
-  // Windows (0, 1) and (1, 3) of the series have mean squared differences 0.5 and 2 to (1, 1).
+  // The windows (0, 1) and (1, 3) have mean squared differences of 0.5 and 2 from (1, 1).
   Eigen::MatrixXd series(1, 3);
   series << 0.0, 1.0, 3.0;
   Eigen::MatrixXd shapelet(1, 2);
@@ -61,7 +61,7 @@ TEST_F(Uslm, LowersItsObjectiveByTheUpdateOfShapelets) {
 }
 
 TEST_F(Uslm, LowersItsObjectiveByTheUpdateOfPseudoLabels) {
-  // Pseudo-labels are the best ones where the classifier follows them, so both sides have the classifier at its best.
+  // Pseudo-labels are best if the classifier follows them, so both sides have the best classifier.
   for (int round = 0; round < 3; ++round) ASSERT_TRUE(learner_.UpdateShapelets());
   learner_.UpdateClassifier();
   const double before = learner_.Objective();
@@ -77,7 +77,7 @@ TEST_F(Uslm, LowersItsObjectiveByTheUpdateOfTheClassifier) {
   EXPECT_LT(learner_.Objective(), before);
 }
 
-TEST_F(Uslm, FindsTheClassifierThatNoSmallChangeBetters) {
+TEST_F(Uslm, FindsAClassifierThatNoSmallChangeImproves) {
   learner_.UpdateClassifier();
   const double best = learner_.Objective();
   const Eigen::MatrixXd classifier = learner_.classifier();
@@ -110,13 +110,13 @@ TEST_F(Uslm, HasAGradientThatMatchesFiniteDifferences) {
   }
 }
 
-TEST_F(Uslm, LearnsToALowerObjective) {
+TEST_F(Uslm, LowersItsObjectiveByLearning) {
   const double before = learner_.Objective();
   learner_.Learn();
   EXPECT_LT(learner_.Objective(), before);
 }
 
-TEST(UslmLearner, RefusesWhatItCannotWorkOn) {
+TEST(UslmLearner, RefusesInvalidInput) {
   const Eigen::MatrixXd series = PlantedRows(1, 1);
   EXPECT_THROW(UslmLearner(series, 3, UslmOptions{}, 0), std::invalid_argument);
   EXPECT_THROW(UslmLearner(series.leftCols(1), 2, UslmOptions{}, 0), std::invalid_argument);

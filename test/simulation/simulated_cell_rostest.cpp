@@ -13,7 +13,7 @@
 namespace contact_shapelets {
 namespace {
 
-/// Takes messages until `done`, and says whether that came within a minute of the wall's clock.
+/// Takes messages until `done` returns true. Returns false if that takes more than a minute of wall time.
 bool WaitFor(const std::function<bool()>& done) {
   const ros::WallTime limit = ros::WallTime::now() + ros::WallDuration(60.0);
   while (!done()) {
@@ -30,7 +30,7 @@ PushSwitch Push(const std::string& outcome) {
   return push;
 }
 
-TEST(SimulatedCellNode, PushesOnceAsTheServiceIsAsked) {
+TEST(SimulatedCellNode, PushesOnceWhenTheServiceIsCalled) {
   ros::NodeHandle node_handle;
   std::vector<bool> edges;
   std::string outcome;
@@ -53,7 +53,7 @@ TEST(SimulatedCellNode, PushesOnceAsTheServiceIsAsked) {
 
   const PushSwitch accepted = Push("already_on");
   EXPECT_TRUE(accepted.response.success) << accepted.response.message;
-  EXPECT_FALSE(Push("switched").response.success) << "a second push was taken while the first went on";
+  EXPECT_FALSE(Push("switched").response.success) << "a second push began during the first";
 
   ASSERT_TRUE(WaitFor([&] { return !outcome.empty(); }));
   EXPECT_EQ(outcome, "already_on");

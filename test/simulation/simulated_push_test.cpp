@@ -26,13 +26,12 @@ double GreatestContactForce(const PushRecording& recording) {
 
 class EveryOutcome : public testing::TestWithParam<Outcome> {};
 
-TEST_P(EveryOutcome, IsWhatItsConditionBringsAbout) {
+TEST_P(EveryOutcome, FollowsFromItsCondition) {
   EXPECT_EQ(NameOf(RecordPush(ConditionFor(GetParam()), kDuration).outcome), NameOf(GetParam()));
 }
 
-TEST_P(EveryOutcome, HasTheSameForcesWhereRoundingDiffers) {
-  // Another machine rounds differently, by some 1e-16: a push must not magnify that. This asks for a million times
-  // more.
+TEST_P(EveryOutcome, HasTheSameForcesIfRoundingDiffers) {
+  // Another machine rounds differently, by some 1e-16. A push must not magnify that, not even a million times as much.
   constexpr double kDifference = 1e-10;
   SimulatedCell cell(ConditionFor(GetParam()));
   SimulatedCell other(ConditionFor(GetParam()));
@@ -52,7 +51,7 @@ TEST_P(EveryOutcome, HasTheSameForcesWhereRoundingDiffers) {
 INSTANTIATE_TEST_SUITE_P(SimulatedPush, EveryOutcome, testing::ValuesIn(AllOutcomes()),
                          [](const auto& info) { return NameOf(info.param); });
 
-TEST(SimulatedPush, SnapsAwayFromTheFingerWhichMeetsItAgainAtTheStop) {
+TEST(SimulatedPush, SnapsAwayFromTheFingerAndMeetsItAgainAtTheStop) {
   const PushRecording recording = RecordPush(ConditionFor(Outcome::kSwitched), kDuration);
   const auto& states = recording.states;
   const auto after = [&states](double angle) {
@@ -73,13 +72,13 @@ TEST(SimulatedPush, SnapsAwayFromTheFingerWhichMeetsItAgainAtTheStop) {
   EXPECT_EQ(free->contact_force.norm(), 0.0);
 }
 
-TEST(SimulatedPush, GivesAJammedLeverUpAtTheForceLimit) {
+TEST(SimulatedPush, EndsThePushOfAJammedLeverAtTheForceLimit) {
   const PushRecording recording = RecordPush(ConditionFor(Outcome::kBroken), kDuration);
   EXPECT_GT(GreatestContactForce(recording), recording.condition.force_limit);
   EXPECT_LT(GreatestContactForce(recording), 1.6 * recording.condition.force_limit);
 }
 
-TEST(SimulatedPush, TouchesNothingWhereTheLeverIsMissing) {
+TEST(SimulatedPush, TouchesNothingIfTheLeverIsMissing) {
   EXPECT_EQ(GreatestContactForce(RecordPush(ConditionFor(Outcome::kMissing), kDuration)), 0.0);
 }
 

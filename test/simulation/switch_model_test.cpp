@@ -9,7 +9,7 @@
 namespace contact_shapelets::simulation {
 namespace {
 
-constexpr int kLever = kArmJoints;  // index of the lever's degree of freedom, behind the arm's
+constexpr int kLever = kArmJoints;  // index of the lever's degree of freedom, after those of the arm
 
 void PlaceLever(CellModel* cell, double angle) {
   cell->data()->qpos[kLever] = angle;
@@ -28,7 +28,7 @@ double LeverEnergy(const CellModel& cell) {
   return 0.5 * mass(kLever, kLever) * speed * speed + SpringEnergy(cell);
 }
 
-/// What the spring takes up from a stop to dead centre.
+/// Returns the energy that the spring takes up from a stop to dead centre.
 double SpringBarrier(CellModel* cell) {
   PlaceLever(cell, 0.0);
   const double top = SpringEnergy(*cell);
@@ -74,15 +74,15 @@ TEST(OverCentreSpring, ResistsMostWithinTheTravelAndLeastAtDeadCentre) {
   EXPECT_EQ(CellModel::UnitSpringTorque(0.0), 0.0);
 }
 
-/// Leaves nothing that takes energy from the lever but its stops.
+/// Removes everything that takes energy from the lever, except its stops.
 void RemoveLosses(CellModel* cell) {
   cell->model()->opt.gravity[2] = 0.0;
   cell->model()->dof_frictionloss[kLever] = 0.0;
   cell->model()->dof_damping[kLever] = 0.0;
 }
 
-/// Energies at the crossings of dead centre of a lever that starts there with `energy` above the spring's. A cycle is
-/// from one crossing to the next but one.
+/// Returns the lever's energy at each crossing of dead centre. The lever starts there with `energy` above that of the
+/// spring. A cycle has two crossings.
 std::vector<double> EnergiesAtDeadCentre(CellModel* cell, double energy, std::size_t crossings) {
   PlaceLever(cell, 0.0);
   cell->data()->qvel[kLever] = 1.0;
@@ -117,13 +117,13 @@ TEST_P(LeverSwing, KeepsItsEnergyOverEveryCycleWithoutStopsAndLosses) {
 
 INSTANTIATE_TEST_SUITE_P(OverCentreSpring, LeverSwing, testing::Values(0.05, 0.2, 0.5, 1.0, 2.0));
 
-TEST(OverCentreSpring, GivesNoWorkAwayOverACycleWithStopsAndFriction) {
+TEST(OverCentreSpring, TakesWorkOverACycleWithStopsAndFriction) {
   CellModel cell;
   const double barrier = SpringBarrier(&cell);
   cell.data()->qvel[kLever] = 0.0;
   double work = 0.0;
   for (const double way : {1.0, -1.0}) {
-    // As slow a hand as the spring allows, which lets go at dead centre.
+    // A hand pushes as slowly as the spring allows, and lets go at dead centre.
     for (int place = -2000; place < 0; ++place) {
       const double wanted = way * CellModel::kStop * place / 2000.0;
       const double torque = 20.0 * (wanted - cell.LeverAngle());
@@ -138,7 +138,7 @@ TEST(OverCentreSpring, GivesNoWorkAwayOverACycleWithStopsAndFriction) {
     EXPECT_NEAR(way * cell.LeverAngle(), CellModel::kStop, 0.02) << "the lever did not snap over";
   }
   EXPECT_GT(work, -0.01 * barrier);
-  EXPECT_GT(work, barrier) << "both snaps end at a stop, which takes their energy";
+  EXPECT_GT(work, barrier) << "the stops must take the energy of both snaps";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ TEST_P(AssignmentTest, CostsAsLittleAsTheBestOfAllPermutations) {
   const auto [rows, columns] = GetParam();
   for (int round = 0; round < 30; ++round) {
     Eigen::MatrixXd cost(rows, columns);
-    // Whole numbers of either sign, so that there are ties.
+    // Small whole numbers of either sign give ties.
     for (Eigen::Index entry = 0; entry < cost.size(); ++entry) cost.data()[entry] = random.Index(12) - 6;
     const std::vector<int> assigned = LeastCostAssignment(cost);
     ASSERT_EQ(assigned.size(), static_cast<std::size_t>(rows));
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, AssignmentTest,
                          testing::Values(std::pair(1, 1), std::pair(2, 2), std::pair(4, 4), std::pair(6, 6),
                                          std::pair(2, 5), std::pair(6, 3), std::pair(5, 1), std::pair(1, 5)));
 
-TEST(LeastCostAssignment, LeavesEveryRowOverWhereThereIsNoColumn) {
+TEST(LeastCostAssignment, LeavesEveryRowOverIfThereIsNoColumn) {
   EXPECT_EQ(LeastCostAssignment(Eigen::MatrixXd(3, 0)), (std::vector<int>{-1, -1, -1}));
   EXPECT_TRUE(LeastCostAssignment(Eigen::MatrixXd(0, 3)).empty());
 }

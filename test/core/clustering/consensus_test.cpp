@@ -10,7 +10,7 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Six features of which each tells `groups` apart, with noise.
+/// Returns six noisy features. Each of them tells `groups` apart.
 View GroupedView(const Eigen::Ref<const Eigen::VectorXi>& groups, int voters, std::uint64_t seed) {
   constexpr int kFeatures = 6;
   Random random(seed);
@@ -23,7 +23,7 @@ View GroupedView(const Eigen::Ref<const Eigen::VectorXi>& groups, int voters, st
   return view;
 }
 
-/// Features of one group alone.
+/// Returns features that tell nothing apart.
 View NoiseView(int count, int voters, std::uint64_t seed) {
   return GroupedView(Eigen::VectorXi::Zero(count), voters, seed);
 }
@@ -34,7 +34,7 @@ Eigen::VectorXi Alternating(int count) {
   return groups;
 }
 
-/// Groups that have nothing to do with Alternating().
+/// Returns groups that are independent of Alternating().
 Eigen::VectorXi Halves(int count) {
   Eigen::VectorXi groups(count);
   for (int index = 0; index < count; ++index) groups[index] = index < count / 2 ? 0 : 1;
@@ -59,7 +59,7 @@ TEST(Consensus, IsNotSwayedByAsManyVotersThatSeeNoise) {
 }
 
 TEST(Consensus, WeighsColumnsOfSmallScaleMore) {
-  // Alternating() in columns of small scale, Halves() in others, which are larger by half.
+  // Columns of small scale follow Alternating(). The others follow Halves() and are larger by half.
   View view = GroupedView(Alternating(40), 40, 6);
   const View other = GroupedView(Halves(40), 0, 7);
   view.features.rightCols(3) = 1.5F * other.features.rightCols(3);
@@ -79,7 +79,7 @@ TEST(Consensus, TakesAnyNumberOfThreads) {
             ConsensusLabels({view}, TwoClusters(), 1));
 }
 
-TEST(Consensus, TellsOfTheVotesAndEndsWhereThatThrows) {
+TEST(Consensus, ReportsProgressAndEndsIfTheCallbackThrows) {
   const View view = NoiseView(20, 15, 8);
   double done = 0.0;
   ConsensusLabels({view}, TwoClusters(), 2, [&done](double part) {
@@ -91,7 +91,7 @@ TEST(Consensus, TellsOfTheVotesAndEndsWhereThatThrows) {
                std::runtime_error);
 }
 
-TEST(Consensus, GivesNoColumnMoreWeightWhereTheGreatestExponentIsZero) {
+TEST(Consensus, WeighsAllColumnsAlikeIfTheGreatestExponentIsZero) {
   View view = GroupedView(Alternating(40), 40, 6);
   view.features.rightCols(3) = 1.5F * GroupedView(Halves(40), 0, 7).features.rightCols(3);
   view.scales.head(3).setConstant(0.01F);

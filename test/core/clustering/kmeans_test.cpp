@@ -17,7 +17,7 @@ struct Blobs {
   Eigen::VectorXi classes;
 };
 
-/// Blobs of standard deviation 0.3 about the corners of a square of side 5, `offset` away from the origin.
+/// Returns blobs with a standard deviation of 0.3 about the corners of a square of side 5, `offset` from the origin.
 Blobs CornerBlobs(int per_blob, float offset, std::uint64_t seed) {
   Random random(seed);
   Blobs blobs{Eigen::MatrixXf(4 * per_blob, 2), Eigen::VectorXi(4 * per_blob)};
@@ -53,7 +53,7 @@ TEST(KMeans, FindsPlantedBlobsForEverySeed) {
 }
 
 TEST(KMeans, FindsPlantedBlobsFarFromTheOrigin) {
-  // |c|^2 is 1e9 here and a float's step at it 64: more than the blobs are apart.
+  // |c|^2 is 1e9 here. Floats are 64 apart there, more than the blobs.
   const Blobs blobs = CornerBlobs(30, 30000.0F, 1);
   const KMeansResult result = KMeans(blobs.points, Options(4));
   EXPECT_TRUE(SamePartition(result.labels, blobs.classes));
@@ -108,7 +108,7 @@ TEST(KMeans, KeepsTheBestOfItsRestarts) {
 }
 
 TEST(KMeans, LeavesNoClusterEmpty) {
-  // Fewer places than clusters: without a refill, clusters would end empty.
+  // There are fewer places than clusters. Without a refill, clusters would end empty.
   const KMeansResult result = KMeans(Column({1.0F, 1.0F, 1.0F, 1.0F, 8.0F}), Options(4));
   const std::set<int> used(result.labels.data(), result.labels.data() + result.labels.size());
   EXPECT_EQ(used, (std::set<int>{0, 1, 2, 3}));
@@ -116,7 +116,7 @@ TEST(KMeans, LeavesNoClusterEmpty) {
   EXPECT_EQ(result.inertia, 0.0);
 }
 
-TEST(KMeans, GivesEachPointItsOwnClusterWhereThereAreAsManyPoints) {
+TEST(KMeans, GivesEachPointItsOwnClusterIfThereAreAsManyClusters) {
   const KMeansResult result = KMeans(Column({4.0F, 2.0F, 9.0F}), Options(3));
   EXPECT_EQ(result.labels, (Eigen::VectorXi(3) << 0, 1, 2).finished());
   EXPECT_EQ(result.inertia, 0.0);
@@ -128,7 +128,7 @@ TEST(KMeans, MakesOneClusterOfEverything) {
   EXPECT_FLOAT_EQ(result.centroids(0, 0), 3.0F);
 }
 
-TEST(KMeans, GivesAPartitionWhereDistancesOverflow) {
+TEST(KMeans, GivesAPartitionIfDistancesOverflow) {
   const KMeansResult result = KMeans(Column({1e30F, 1e30F, -1e30F}), Options(2));
   EXPECT_EQ(result.labels.size(), 3);
   EXPECT_EQ(result.centroids.rows(), 2);

@@ -10,14 +10,14 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// 90 series of class 0 and 10 of class 1.
+/// Returns the classes of 90 series of class 0 and 10 of class 1.
 Eigen::VectorXi OneInTen() {
   Eigen::VectorXi classes(100);
   for (Eigen::Index series = 0; series < classes.size(); ++series) classes[series] = series % 10 == 0 ? 1 : 0;
   return classes;
 }
 
-/// A vote that puts a series into the part of its class, but into the other one with probability `wrong`.
+/// Returns a vote that puts each series into the part of its class, or with probability `wrong` into the other part.
 Eigen::VectorXi Vote(const Eigen::Ref<const Eigen::VectorXi>& classes, double wrong, Random* random) {
   Eigen::VectorXi vote = classes;
   for (Eigen::Index series = 0; series < vote.size(); ++series) {
@@ -59,8 +59,8 @@ TEST(LatentClasses, TakeThePartsOfAVoterByWhatTheyHoldAndNotByTheirNumbers) {
   EXPECT_EQ(LatentClasses({swapped, finer, swapped}, classes, 2), classes);
 }
 
-TEST(LatentClasses, LeaveTheStartWhereAClassWouldHoldNoSeries) {
-  // Votes that know of one part alone, in which the smaller class drowns.
+TEST(LatentClasses, ReturnTheStartIfAClassWouldHoldNoSeries) {
+  // The votes have one part, which the larger class takes as a whole.
   const Eigen::VectorXi one_part = Eigen::VectorXi::Zero(100);
   EXPECT_EQ(LatentClasses({one_part, one_part}, OneInTen(), 2), OneInTen());
 }

@@ -45,7 +45,7 @@ TEST(BankLearner, GradientOfTheWholeObjectiveMatchesFiniteDifferences) {
   Eigen::MatrixXd analytic;
   learner.Evaluate(all, &analytic);
 
-  // Similarities come in single precision, so the step is wide and the tolerance relative to the largest entry.
+  // Similarities are in single precision, so the step is wide, and the tolerance is relative to the largest entry.
   constexpr double kStep = 2e-3;
   Eigen::MatrixXd point = start.cast<double>();
   Eigen::MatrixXd ignored;
@@ -116,7 +116,7 @@ TEST(LearnBanks, SparsityShortensShapelets) {
   for (const Shapelet& shapelet : cut) EXPECT_GE(shapelet.values.size(), options.shortest);
 }
 
-TEST(LearnBanks, StopsWhereTheCallbackSaysSo) {
+TEST(LearnBanks, StopsIfTheCallbackReturnsFalse) {
   const std::vector<Eigen::VectorXf> series = PlantedSeriesList(6, 51);
   LearnerOptions options;
   options.scales = {0.2, 0.3};

@@ -15,7 +15,7 @@ Eigen::MatrixXd RandomMatrix(int rows, int columns, std::uint64_t seed) {
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&random] { return random.Uniform(); });
 }
 
-/// Central differences of `loss` by every entry of `point`.
+/// Returns the central differences of `loss` by every entry of `point`.
 Eigen::MatrixXd FiniteDifferences(const std::function<double(const Eigen::MatrixXd&)>& loss, Eigen::MatrixXd point) {
   constexpr double kStep = 1e-6;
   Eigen::MatrixXd gradient(point.rows(), point.cols());
@@ -97,7 +97,7 @@ TEST(ContrastiveWeights, SumToOneMinusTheRepulsion) {
   EXPECT_NEAR(ContrastiveWeights(similarity, 3.0).diagonal().cwiseAbs().sum(), 0.0, 1e-12);
 }
 
-TEST(PaperObjective, IsLeastWhereAllMembershipsAreEqual) {
+TEST(PaperObjective, IsLeastIfAllMembershipsAreEqual) {
   const Eigen::MatrixXd weights =
       PaperWeights(GaussianSimilarity(SquaredDistances(RandomMatrix(6, 5, 7).cast<float>())));
   EXPECT_NEAR(SpectralTerm(Eigen::MatrixXd::Constant(6, 4, 0.25), weights).value, 0.0, 1e-12);

@@ -19,7 +19,7 @@ std::vector<Eigen::VectorXf> SeriesOfTwoLengths(int count) {
   return series;
 }
 
-/// Expects the distances of some of `count` series; of five samples stretched to three every other one is left.
+/// Expects the distances of some of `count` series of five samples. Stretched to three, they keep every other sample.
 void ExpectDistancesOfSome(int count) {
   const std::vector<Eigen::VectorXf> series = SeriesOfTwoLengths(count);
   const std::vector<int> chosen{count - 1, 0, 3};
@@ -44,7 +44,7 @@ void ExpectDistancesOfSome(int count) {
 
 TEST(SeriesDistances, AreThoseOfTheChosenSeriesStretchedToOneLength) { ExpectDistancesOfSome(7); }
 
-TEST(SeriesDistances, AreTheSameWhereThereAreTooManySeriesForATable) { ExpectDistancesOfSome(2501); }
+TEST(SeriesDistances, AreTheSameIfThereAreTooManySeriesForATable) { ExpectDistancesOfSome(2501); }
 
 }  // namespace
 }  // namespace contact_shapelets::core

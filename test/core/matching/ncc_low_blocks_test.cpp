@@ -36,7 +36,7 @@ Eigen::VectorXf Walk(Eigen::Index count, std::uint64_t seed) {
   return walk;
 }
 
-/// A force that rises, gives way and rests, more than once.
+/// Returns a force that rises, gives way and rests, several times.
 Eigen::VectorXf Pushes(Eigen::Index count, std::uint64_t seed) {
   Eigen::VectorXf force = Noise(count, 0.02, seed);
   for (Eigen::Index index = 0; index < count; ++index) {
@@ -58,7 +58,7 @@ Eigen::VectorXf Plateaus(Eigen::Index count, std::uint64_t seed) {
   return values + Noise(count, 1e-3, seed + 1);
 }
 
-/// Windows that count are in three stretches.
+/// Returns a series with three stretches of windows that are not flat.
 Eigen::VectorXf Gaps() {
   Eigen::VectorXf series = Noise(1500, 0.01, 3);
   series.segment(100, 200) += Walk(200, 4);
@@ -67,7 +67,7 @@ Eigen::VectorXf Gaps() {
   return series;
 }
 
-/// Windows that are tiny beside what surrounds them are searched in double precision.
+/// Returns a series with windows that are tiny beside their surroundings: these need double precision.
 Eigen::VectorXf FineStructure() {
   Eigen::VectorXf series = Noise(500, 1e-4, 23);
   series.segment(150, 60) += 10.0F * Walk(60, 24);
@@ -91,8 +91,8 @@ std::vector<Case> Cases() {
           {"WholeSeries", Walk(200, 13), 200, 0.0, 0.01F}};
 }
 
-/// Like parts of the series, some unlike, one constant; they move as those of a learner do, by steps that go on for a
-/// while.
+/// Shapelets that move as those of a learner do: the direction of their steps changes slowly. Most resemble parts of
+/// the series, some do not, and one is constant.
 class MovingShapelets {
  public:
   explicit MovingShapelets(const Case& data) : random_(77), step_(data.step) {
@@ -144,7 +144,7 @@ int CountRenewed(const LowBlocks& low_blocks) {
 
 class Again : public testing::TestWithParam<Case> {};
 
-TEST_P(Again, FindsWhatASearchOfEverythingFinds) {
+TEST_P(Again, FindsTheMatchesOfASearchOfEverything) {
   const WindowSet windows(GetParam().series, GetParam().length, GetParam().flat_deviation);
   for (const tile::Loops& loops : RunnableLoops()) {
     SCOPED_TRACE(loops.name);
@@ -171,7 +171,7 @@ TEST_P(Again, FindsWhatASearchOfEverythingFinds) {
 INSTANTIATE_TEST_SUITE_P(Series, Again, testing::ValuesIn(Cases()),
                          [](const testing::TestParamInfo<Case>& info) { return info.param.name; });
 
-/// One series, searched once.
+/// A series that has been searched once.
 class LowBlocksOfAWalk : public testing::Test {
  protected:
   LowBlocksOfAWalk() { SearchFor(moving_.values()); }
@@ -190,7 +190,7 @@ class LowBlocksOfAWalk : public testing::Test {
   std::vector<Match> matches_;
 };
 
-TEST_F(LowBlocksOfAWalk, AreNotedBySearchesOfEverythingAlone) {
+TEST_F(LowBlocksOfAWalk, AreNotedOnlyBySearchesOfEverything) {
   EXPECT_EQ(CountRenewed(low_blocks_), kShapelets - 1);
   const std::vector<tile::BlockBits> noted = low_blocks_.blocks;
   EXPECT_GT(std::count_if(noted.begin(), noted.end(), [](tile::BlockBits bits) { return bits != 0; }), 0);
@@ -201,7 +201,7 @@ TEST_F(LowBlocksOfAWalk, AreNotedBySearchesOfEverythingAlone) {
 }
 
 TEST_F(LowBlocksOfAWalk, AreNotSearched) {
-  // All partial overlaps pass for low, and the hints are full ones.
+  // All partial overlaps are marked low, and the hints are full overlaps.
   std::fill(low_blocks_.blocks.begin(), low_blocks_.blocks.end(), static_cast<tile::BlockBits>(0xFFFF));
   const std::vector<Match> best = matches_;
   for (LowBlocks::Noted& noted : low_blocks_.noted) noted.most = -4.0F;

@@ -55,7 +55,7 @@ Case OffsetCase(const std::string& name, float offset) {
   return {name, (RandomWalk(300, 11).array() + offset).matrix(), RandomWalks(5, 40, 5)};
 }
 
-/// Windows within a period tie with those of the next one to the last digits.
+/// Windows of one period tie with those of the next to the last digits.
 Case PeriodicCase() {
   Eigen::VectorXf series(240);
   for (int q = 0; q < 240; ++q) series[q] = static_cast<float>(std::sin(2.0 * M_PI * (q % 24) / 24.0));
@@ -72,7 +72,7 @@ Case SpikeCase() {
   return {"Spikes", series, RandomWalks(5, 32, 9)};
 }
 
-/// A fine structure of 1e-4 beside a movement of 100: every window counts, and most are tiny beside the series.
+/// A fine structure of 1e-4 beside a movement of 100. No window is flat, but most are tiny beside the series.
 Case FineStructureCase() {
   Eigen::VectorXf series = Noise(400, 1e-4, 23);
   series.segment(150, 60) += 10.0F * RandomWalk(60, 24);
@@ -91,7 +91,7 @@ Case FlatCase() {
   return {"MostlyFlat", series, RandomWalks(5, 50, 31), 0.3};
 }
 
-/// Windows count in two places far apart, of which a shapelet's best match is in the second, and in two close ones.
+/// Three movements with flat gaps between them, a long one and a short one. Shapelets match in the first and the last.
 Case FlatGapsCase() {
   Eigen::VectorXf series = Noise(900, 0.01, 51);
   series.segment(60, 50) += RandomWalk(50, 52);
@@ -110,7 +110,7 @@ Case ConstantShapeletCase() {
   return {"ConstantShapelets", RandomWalk(150, 34), shapelets};
 }
 
-/// Shapelets that are cut from the series, so that matches are exact and nearly all else is pruned.
+/// Shapelets cut from the series: matches are exact, and nearly everything else is pruned.
 Case CutOutCase() {
   Random random(35);
   const Eigen::VectorXf series = PlantedSeries(1, 300, &random);
@@ -119,7 +119,7 @@ Case CutOutCase() {
   return {"CutOut", series, shapelets};
 }
 
-/// What matches best is the end of each shapelet against the first or the last samples, at a far shift.
+/// The ends of shapelets match the first or the last samples of the series, at a far shift.
 Case FarShiftCase() {
   Eigen::VectorXf series = Noise(120, 0.2, 37);
   series.head(6) += Eigen::VectorXf::LinSpaced(6, 9.0F, 4.0F);
@@ -155,7 +155,7 @@ std::vector<Case> Cases() {
 
 std::string NameOf(const testing::TestParamInfo<Case>& info) { return info.param.name; }
 
-/// CC_w of window j: equation 2 for one pair, on the window z-normalised anew.
+/// Returns CC_w of one window by equation 2, z-normalised here.
 double CrossCorrelation(const Case& data, Eigen::Index shapelet, int window, int shift) {
   const auto length = static_cast<int>(data.shapelets.cols());
   const auto normalised = [](const Eigen::VectorXd& values) {
@@ -198,7 +198,7 @@ class BestMatch : public testing::TestWithParam<Case> {
   }
 };
 
-TEST_P(BestMatch, OfTheDefinitionStandsWhereItSays) { ExpectSameMatches(data(), expected_, expected_); }
+TEST_P(BestMatch, OfTheDefinitionIsAtItsWindowAndShift) { ExpectSameMatches(data(), expected_, expected_); }
 
 TEST_P(BestMatch, ByFftwIsThatOfTheDefinition) {
   FftwMatcher matcher(shapelets_);
@@ -220,7 +220,7 @@ TEST_P(BestMatch, IsTheSameFromPoorHints) {
   std::vector<Match> hints = expected_;
   const int last = windows_.window_count() - 1;
   for (std::size_t k = 0; k < hints.size(); ++k) {
-    // A similarity that was true of another shapelet must not be taken for that of this one.
+    // The kernel must not believe the similarity of a hint, which may be that of another shapelet.
     hints[k] = {1.0F, k % 2 == 0 ? 0 : last, k % 3 == 0 ? 0 : windows_.length() - 1};
   }
   ExpectFound(hints, Pruning::kByEnergy);
@@ -272,7 +272,7 @@ TEST(WindowSet, HasAllWindowsThatAreNotFlatInStretchesWithoutLongFlatParts) {
   EXPECT_TRUE(WindowSet(Eigen::VectorXf::Zero(50), 10, 0.1).stretches().empty());
 }
 
-TEST(WindowSet, HasNothingLeftOfTheSeriesBefore) {
+TEST(WindowSet, KeepsNothingOfTheSeriesBefore) {
   WindowSet windows(RandomWalk(500, 61), 40, 0.0);
   const Eigen::VectorXf series = Noise(120, 1.0, 62);
   windows.Assign(series, 15, 0.9);
@@ -285,7 +285,7 @@ TEST(WindowSet, HasNothingLeftOfTheSeriesBefore) {
   EXPECT_EQ(windows.inverse_deviation(), expected.inverse_deviation());
 }
 
-TEST(WindowSet, RefusesWhatHasNoWindows) {
+TEST(WindowSet, RefusesInvalidInput) {
   const Eigen::VectorXf series = RandomWalk(10, 1);
   EXPECT_THROW(WindowSet(series, 11, 0.0), std::invalid_argument);
   EXPECT_THROW(WindowSet(series, 1, 0.0), std::invalid_argument);
@@ -305,7 +305,7 @@ TEST(BestMatchesByDefinition, FindsAPlantedShapeletWhereItIs) {
 }
 
 TEST(BestMatchesByDefinition, CountsOnlyTheOverlapOfAShiftedWindow) {
-  // Both z-normalise to themselves, and agree in the second half of the one and the first half of the other.
+  // Both are z-normalised. The second half of one equals the first half of the other.
   const Eigen::Vector4f series(-1.0F, 1.0F, 1.0F, -1.0F);
   const Eigen::RowVector4f shapelet(1.0F, -1.0F, -1.0F, 1.0F);
   const Match match = BestMatchesByDefinition(WindowSet(series, 4, 0.0), ShapeletSet(shapelet))[0];
@@ -324,7 +324,7 @@ TEST(FindBestMatches, MatchesNothingInAFlatSeries) {
   }
 }
 
-TEST(FindBestMatches, RefusesWhatDoesNotFit) {
+TEST(FindBestMatches, RefusesLengthsAndCountsThatDiffer) {
   const WindowSet windows(RandomWalk(50, 46), 10, 0.0);
   std::vector<Match> matches;
   EXPECT_THROW(FindBestMatches(windows, ShapeletSet(RandomWalks(2, 9, 47)), {}, {}, &matches), std::invalid_argument);
@@ -332,7 +332,7 @@ TEST(FindBestMatches, RefusesWhatDoesNotFit) {
                std::invalid_argument);
 }
 
-TEST(FindBestMatches, DoesNotDependOnWhatItsMemoryWasUsedFor) {
+TEST(FindBestMatches, DoesNotDependOnEarlierUsesOfItsMemory) {
   for (const tile::Loops& loops : RunnableLoops()) {
     SCOPED_TRACE(loops.name);
     SearchMemory kept;

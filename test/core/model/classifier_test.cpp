@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLength = 20;
 
-/// Patterns that differ in shape alone: a bump, a step, three waves.
+/// Returns a pattern. Patterns differ in shape alone: a bump, a step, three waves.
 double Shape(int pattern, double phase) {
   switch (pattern) {
     case 0:
@@ -26,7 +26,7 @@ double Shape(int pattern, double phase) {
   }
 }
 
-/// A smooth approach and one pattern of 0.2 s at 0.5 s, at least 0, at `period` [s].
+/// Returns a smooth approach with one pattern of 0.2 s at 0.5 s, at least 0, sampled every `period` [s].
 Episode EpisodeWith(int pattern, std::uint64_t seed, double period = 0.01) {
   Random random(seed);
   Episode episode;
@@ -41,7 +41,7 @@ Episode EpisodeWith(int pattern, std::uint64_t seed, double period = 0.01) {
   return episode;
 }
 
-/// A model with one shapelet and one cluster for each pattern, its centroid the features of one episode.
+/// Returns a model with a shapelet and a cluster for each pattern. Each centroid is the features of one episode.
 Model ThreePatterns() {
   Model model;
   model.id = "test";
@@ -108,7 +108,7 @@ TEST(Classifier, IsSureOfAnEpisodeOnACentroidAndOfTheOnlyCluster) {
   EXPECT_EQ(Classifier(one).Classify(EpisodeWith(0, 1)).diagnosis.confidence, 1.0F);
 }
 
-TEST(Classifier, CallsUnknownWhatIsBeyondTheNoveltyLimit) {
+TEST(Classifier, CallsAnEpisodeBeyondTheNoveltyLimitUnknown) {
   Model model = ThreePatterns();
   const Episode episode = EpisodeWith(1, 5);
   const float novelty = Classifier(model).Classify(episode).diagnosis.novelty;
@@ -146,7 +146,7 @@ TEST_P(PeriodTest, AnEpisodeOfAnotherPeriodHasTheSameFeatures) {
 INSTANTIATE_TEST_SUITE_P(Periods, PeriodTest, testing::Values(0.001, 0.002, 0.005, 0.0125, 0.015));
 
 TEST(Classifier, AveragesTheNoiseOfAFasterEpisode) {
-  // 1 N of noise at 10 kHz is 0.1 N at 100 Hz; a mere choice of samples would keep the whole.
+  // 1 N of noise at 10 kHz is 0.1 N at 100 Hz. Taking every hundredth sample would keep 1 N.
   Random random(2);
   Episode fast = EpisodeWith(0, 1, 0.0001);
   for (Eigen::Index index = 0; index < fast.force.size(); ++index) {

@@ -20,7 +20,7 @@ TEST(NameClusters, GivesEachClusterItsOutcome) {
 }
 
 TEST(NameClusters, MaximisesTheItemsNamedRightOverAllClusters) {
-  // Alone, both clusters would take "a"; 3 + 4 right by a -> 1, b -> 0 beats 4 + 0.
+  // Each cluster alone would take "a". Cluster 1 as "a" and 0 as "b" makes 4 + 3 right, cluster 0 as "a" only 4 + 0.
   const Names outcomes = {"a", "a", "a", "a", "b", "b", "b", "a", "a", "a", "a"};
   EXPECT_EQ(NameClusters(Labels({0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1}), outcomes, 2), (Names{"b", "a"}));
 }

@@ -29,8 +29,8 @@ Shapelet Pattern(const Eigen::VectorXf& values, int dilation = 1) { return {0, d
 
 double Deviation(const Eigen::VectorXd& values) { return std::sqrt((values.array() - values.mean()).square().mean()); }
 
-/// F by its definition: every window, every shift, in double precision. Windows of `flat` deviation or less do not
-/// count.
+/// Returns F by its definition: every window, every shift, in double precision. Windows of `flat` deviation or less do
+/// not count.
 double DistanceByDefinition(const Eigen::VectorXf& series, const Shapelet& shapelet, double flat) {
   const auto length = static_cast<int>(shapelet.values.size());
   const Eigen::VectorXd pattern = shapelet.values.cast<double>();
@@ -63,7 +63,7 @@ TEST(FeatureExtractor, GivesTheDistancesOfManySeriesAsThoseOfEachOne) {
   }
 }
 
-TEST(FeatureExtractor, DoesNotDependOnWhatItsMemoryWasUsedFor) {
+TEST(FeatureExtractor, DoesNotDependOnEarlierUsesOfItsMemory) {
   Random random(12);
   const FeatureExtractor extractor({Pattern(Walk(40, &random)), Pattern(Walk(9, &random), 3)}, 0.2);
   FeatureMemory memory;
@@ -142,7 +142,7 @@ TEST(FeatureExtractor, FlatWindowsNeverMatch) {
   Random random(5);
   Eigen::VectorXf series = 0.01F * Noise(200, &random);
   series.segment(90, 20).array() += 10.0F;
-  // Somewhere in 180 windows of noise there is always one like this; it must not count.
+  // One of 180 windows of noise always resembles the pattern. It must not count.
   const Eigen::VectorXf noise = series.segment(20, 10);
   const ShapeletDistances gated = FeatureExtractor({Pattern(noise)}, 0.3).Compute(series);
   const ShapeletDistances open = FeatureExtractor({Pattern(noise)}, 0.0).Compute(series);

@@ -16,7 +16,7 @@ Model Valid() {
   return model;
 }
 
-TEST(Model, HasNoFaultsWhereAllIsWell) { EXPECT_EQ(Valid().Faults(), ""); }
+TEST(Model, HasNoFaultsIfAllValuesAreValid) { EXPECT_EQ(Valid().Faults(), ""); }
 
 TEST(Model, ListsEveryFaultAtOnce) {
   Model model = Valid();
@@ -84,7 +84,7 @@ TEST(Model, FeaturesAreTheDistancesThemselvesWithoutAnOffset) {
   EXPECT_EQ(model.Features(Eigen::RowVector3f(0.5F, -1e-7F, 2.0F)), Eigen::RowVector3f(0.5F, 0.0F, 2.0F));
 }
 
-TEST(Model, EventsAreLabelsAndNumbersWhereNobodyNamedThem) {
+TEST(Model, EventsAreLabelsOrNumbersIfThereIsNoLabel) {
   const Model model = Valid();
   EXPECT_EQ(model.EventOf(0), "cluster_0");
   EXPECT_EQ(model.EventOf(1), "switched");

@@ -42,7 +42,7 @@ TEST(TrainModel, LabelsEpisodesThatWereNotDrawnToVoteLikeThoseThatWere) {
 }
 
 TEST(TrainModel, LetsNoMoreEpisodesVoteThanAsked) {
-  // Walks have no groups, so that any other set of voting episodes splits them elsewhere.
+  // Walks have no groups, so another set of voting episodes splits them in another way.
   Random random(9);
   std::vector<Episode> episodes(40);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
@@ -167,11 +167,11 @@ TEST(Classifier, ResamplesAnEpisodeOfAnotherSamplePeriod) {
             classifier.Classify(doubled).diagnosis.nearest_cluster);
 }
 
-TEST(Classifier, RefusesAModelNamingEveryFault) {
+TEST(Classifier, RefusesAModelAndNamesEveryFault) {
   Model model;
   try {
     const Classifier classifier(model);
-    FAIL() << "an empty model was accepted";
+    FAIL() << "accepted an empty model";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("no shapelet"), std::string::npos);
     EXPECT_NE(std::string(error.what()).find("sample period"), std::string::npos);

@@ -31,7 +31,7 @@ TEST_P(ParallelForTest, ThrowsWhatTheWorkThrew) {
     ParallelFor(50, GetParam(), [](int index) {
       if (index == 17) throw std::runtime_error("index 17");
     });
-    FAIL() << "the exception was swallowed";
+    FAIL() << "no exception came through";
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "index 17");
   }
@@ -55,14 +55,14 @@ TEST(ParallelFor, StopsEarlyAfterAFailure) {
   EXPECT_EQ(calls, 4);
 }
 
-TEST(ParallelFor, WorksOnTheCallingThreadWhereOneThreadIsAskedFor) {
+TEST(ParallelFor, WorksOnTheCallingThreadIfOneThreadIsAskedFor) {
   std::set<std::thread::id> threads;
   ParallelFor(20, 1, [&threads](int) { threads.insert(std::this_thread::get_id()); });
   EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
 TEST(ParallelFor, RunsCallsAtTheSameTime) {
-  // Each of two calls waits for the other: with one thread this would never end.
+  // Each of two calls waits for the other. With one thread this would never end.
   std::atomic<int> arrived{0};
   ParallelFor(2, 2, [&arrived](int) {
     ++arrived;

@@ -15,17 +15,17 @@ Eigen::VectorXd BentArm() {
 }
 
 TEST(FlangeWrench, IsTheForceThatCausesTheTorques) {
-  // A force (3, -2, 5) N at the flange, in the axes of the base: each joint's torque is axis . (lever x force).
+  // A force of (3, -2, 5) N at the flange, in the base's axes. Each joint's torque is axis . (lever x force).
   Eigen::VectorXd torques(7);
   torques << 0.4 * -2.0, -0.526 * 3.0 - 0.4 * 5.0, 0.526 * -2.0, 0.526 * 3.0, 0.0, -0.126 * 3.0, 0.0;
   const Wrench wrench = FlangeWrench(ArmGeometry(), BentArm(), torques, 0.0);
-  // The flange is turned by half a turn about y.
+  // The flange is half a turn about y from the base.
   EXPECT_TRUE(wrench.force.isApprox(Eigen::Vector3d(-3.0, -2.0, -5.0), 1e-9)) << wrench.force.transpose();
   EXPECT_NEAR(wrench.torque.norm(), 0.0, 1e-9);
 }
 
 TEST(FlangeWrench, IsTheTorqueThatCausesTheTorques) {
-  // A torque (1, 2, 3) Nm at the flange, in the axes of the base.
+  // A torque of (1, 2, 3) Nm at the flange, in the base's axes.
   Eigen::VectorXd torques(7);
   torques << 3.0, 2.0, 1.0, -2.0, -3.0, 2.0, -3.0;
   const Wrench wrench = FlangeWrench(ArmGeometry(), BentArm(), torques, 0.0);

@@ -20,12 +20,12 @@
 
 namespace contact_shapelets {
 
-/// A folder of its own for each test, removed behind it.
+/// Gives each test a folder, and removes it afterwards.
 class BagTest : public testing::Test {
  protected:
   BagTest() {
     std::string name = (std::filesystem::temp_directory_path() / "contact_shapelets_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder can be made at " + name);
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder at " + name);
     folder_ = name;
   }
   ~BagTest() override { std::filesystem::remove_all(folder_); }
@@ -44,7 +44,7 @@ class BagTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-/// What `action` throws, in words; empty where it throws nothing.
+/// Returns the message of the exception that `action` throws; an empty string if it throws none.
 template <typename Action>
 std::string MessageOf(const Action& action) {
   try {
@@ -62,7 +62,7 @@ inline void ExpectWords(const std::string& message, std::initializer_list<std::s
 
 inline ros::Time At(double seconds) { return ros::Time(1000.0 + seconds); }
 
-/// Writes a bag of one sensor and its triggers; times are seconds after a fixed date.
+/// Writes a bag of one sensor and its triggers. Times are in seconds after a fixed date.
 class BagWriter {
  public:
   explicit BagWriter(const std::string& path) : bag_(path, rosbag::bagmode::Write) {}
@@ -72,7 +72,7 @@ class BagWriter {
     message.header.stamp = At(time);
     message.header.frame_id = "flange";
     message.wrench.force.z = force;
-    // The driver's message takes 2 ms to the recorder.
+    // A message takes 2 ms from the driver to the recorder.
     bag_.write(topic, At(time + 0.002), message);
   }
   /// A force that rises by 10 N/s, at 100 Hz.

@@ -70,7 +70,7 @@ TEST_F(EpisodeBagTest, OutcomesBelongToTheEpisodeThatClosedLast) {
   EXPECT_EQ(contents.episodes[2].outcome, "broken");
 }
 
-TEST_F(EpisodeBagTest, OutcomesOfDroppedEpisodesAndBeforeTheFirstOneAreNobodys) {
+TEST_F(EpisodeBagTest, OutcomesOfDroppedEpisodesAndBeforeTheFirstOneBelongToNoEpisode) {
   {
     BagWriter bag(Path("pushes.bag"));
     bag.Rising(0.0, 5.0);
@@ -90,7 +90,7 @@ TEST_F(EpisodeBagTest, OutcomesOfDroppedEpisodesAndBeforeTheFirstOneAreNobodys) 
   EXPECT_EQ(contents.episodes[1].outcome, "");
 }
 
-TEST_F(EpisodeBagTest, OutcomesBelongToTheirEpisodeWhereAllHaveOneName) {
+TEST_F(EpisodeBagTest, OutcomesBelongToTheirEpisodeIfAllHaveOneName) {
   {
     BagWriter bag(Path("pushes.bag"));
     bag.Rising(0.0, 7.0);
@@ -107,7 +107,7 @@ TEST_F(EpisodeBagTest, OutcomesBelongToTheirEpisodeWhereAllHaveOneName) {
   EXPECT_EQ(contents.episodes[2].outcome, "outcome of 5");
 }
 
-TEST_F(EpisodeBagTest, CutsByStampsWhereThereAreSomeAndIgnoresPlainTriggers) {
+TEST_F(EpisodeBagTest, CutsByStampsIfThereAreSomeAndIgnoresPlainTriggers) {
   {
     BagWriter bag(Path("pushes.bag"));
     bag.Rising(0.0, 3.0);

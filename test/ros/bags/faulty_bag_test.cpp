@@ -1,5 +1,4 @@
-// What the reader of bags says of bags that it cannot use: one line with the file, what was expected and what was
-// found.
+// Messages of the bag reader about bags that it cannot use: one line with the file, what it expected and what it found.
 #include <geometry_msgs/PointStamped.h>
 #include <topic_tools/shape_shifter.h>
 
@@ -53,7 +52,7 @@ TEST_F(FaultyBagTest, ABagThatWasCutOffAnywhere) {
 
 TEST_F(FaultyBagTest, ABagThatWasStillBeingRecorded) {
   BagWriter(Path("killed.bag")).Rising(0.0, 0.5);
-  // A recorder that is killed leaves the position of the index in the header at zero.
+  // If a recorder is killed, the position of the index in the header stays zero.
   std::string contents = Contents(Path("killed.bag"));
   const std::string field = "index_pos=";
   contents.replace(contents.find(field) + field.size(), 8, 8, '\0');

@@ -28,7 +28,7 @@ core::Model Trained(const std::string& id = "model_1") {
   return model;
 }
 
-/// One message of `type` with this MD5 on `model`.
+/// Writes one message of `type` with this MD5 on `model`.
 void WriteShape(const std::string& path, const std::string& md5, const std::string& type) {
   topic_tools::ShapeShifter shape;
   shape.morph(md5, type, "uint32 format_version\n", "");
@@ -145,14 +145,14 @@ TEST_F(ModelBagTest, RefusesAModelThatWasCutOffAnywhere) {
   }
 }
 
-TEST_F(ModelBagTest, RefusesAModelOfWhichAByteChanged) {
+TEST_F(ModelBagTest, RefusesAModelWithAChangedByte) {
   SaveModel(Path("model.bag"), Trained());
   const std::string whole = Contents(Path("model.bag"));
   const std::size_t chunk = whole.find("compression=lz4");
   const std::size_t index = whole.find("chunk_pos=");
   ASSERT_NE(chunk, std::string::npos);
   ASSERT_NE(index, std::string::npos);
-  // Behind the chunk's header, which takes some 40 bytes, and before its index.
+  // After the chunk's header, which takes some 40 bytes, and before its index.
   constexpr std::size_t kHeader = 60;
   constexpr std::size_t kContents = 600;
   ASSERT_GT(index, chunk + kHeader + kContents);

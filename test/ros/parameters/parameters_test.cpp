@@ -11,7 +11,7 @@
 namespace contact_shapelets {
 namespace {
 
-/// Expects that `reader` found each parameter that it read, no other, and each at its default.
+/// Expects that `reader` found exactly the parameters that it read, each at its default.
 void ExpectDefaults(const ParameterReader& reader) {
   EXPECT_EQ(reader.Faults(), "");
   EXPECT_EQ(reader.Unread(), std::vector<std::string>{}) << "in the file, but unknown to the loader";
@@ -90,7 +90,7 @@ TEST(ParameterReader, ReadsValuesOfEachKind) {
   EXPECT_EQ(classifier.model, "12");
 }
 
-TEST(ParameterReader, NamesWhatDiffersFromTheDefault) {
+TEST(ParameterReader, NamesParametersThatDifferFromTheirDefault) {
   ParameterReader reader = ReaderOf("clusters: 5\nkmeans_restarts: 20\nobjective: paper\n");
   ReadTrainerOptions(&reader);
   EXPECT_EQ(reader.Changed(), (std::set<std::string>{"clusters", "objective"}));
@@ -106,7 +106,7 @@ TEST(ParameterReader, ListsEveryFaultAtOnce) {
   EXPECT_NE(faults.find("progress_rate must be in [0, 100] Hz"), std::string::npos);
 }
 
-TEST(ParameterReader, RefusesWhatIsNoSingleWholeNumber) {
+TEST(ParameterReader, RefusesValuesThatAreNotOneWholeNumber) {
   for (const std::string value : {"3.5", "99999999999", "[3]", "{a: 3}", "three", ""}) {
     ParameterReader reader = ReaderOf("clusters: " + value + "\n");
     ReadTrainerOptions(&reader);
@@ -114,7 +114,7 @@ TEST(ParameterReader, RefusesWhatIsNoSingleWholeNumber) {
   }
 }
 
-/// Expects that each text is read as the number beside it.
+/// Expects that the reader reads each text as the number beside it.
 template <typename Number>
 void ExpectRead(const std::map<std::string, Number>& values) {
   for (const auto& [text, expected] : values) {
@@ -191,7 +191,7 @@ TEST(ParameterReader, RefusesAParameterWithoutAValue) {
   }
 }
 
-TEST(ParameterReader, NamesWhatNothingRead) {
+TEST(ParameterReader, NamesParametersThatNothingRead) {
   ParameterReader reader = ReaderOf("clusters: 3\nclutsers: 4\n");
   ReadTrainerOptions(&reader);
   EXPECT_EQ(reader.Unread(), std::vector<std::string>{"clutsers"});
