@@ -14,8 +14,8 @@ namespace contact_shapelets::core {
 /// 2004).
 ///
 /// Each of `votes` [N] holds the part of each series, from 0. Expectation maximisation starts from the labels `start`
-/// [N], each 0 to `classes` - 1. Unlike K-means on the votes, it gives a voter little weight if its parts have little to
-/// do with the classes, and it allows classes of different sizes. If a class would be left without a series, returns
+/// [N], each 0 to `classes` - 1. Unlike K-means on the votes, it gives a voter little weight if its parts have little
+/// to do with the classes, and it allows classes of different sizes. If a class would be left without a series, returns
 /// `start`. \throws std::invalid_argument if there is no vote, sizes differ, or a label or part is out of range.
 Eigen::VectorXi LatentClasses(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eigen::VectorXi>& start,
                               int classes);

@@ -36,10 +36,10 @@ struct TileLoops {
     return tile >= 0 && tile < arguments.full_tiles && arguments.largest[kGroup * tile] >= 0.0F;
   }
 
-  /// Returns a bit for each block of overlaps of a tile in which a shapelet can exceed its best. Two bounds by Cauchy
-  /// and Schwarz decide, both the root of the product of shapelet's and window's energy. Within the overlap it bounds
-  /// the value. Outside of the overlap it bounds how far the value is from the full overlap at the same position, taken
-  /// with the same window's mean and deviation.
+  /// Returns a bit for each block of overlaps of a tile in which a shapelet can exceed its best. A block is left out if
+  /// one of two bounds by Cauchy and Schwarz is below the best. Head: the value is at most the root of the shapelet's
+  /// times the window's energy within the overlap. Tail: the value differs from the full overlap at the same position,
+  /// scaled for the same window, by at most the root of the two energies outside of the overlap.
   static unsigned UsefulBlocks(const PartialArguments& arguments, int shapelet, int tile, bool has_full) {
     const Bounds& bounds = arguments.bounds[tile];
     const Energies& energies = arguments.energies[shapelet];
