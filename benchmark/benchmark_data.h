@@ -18,8 +18,9 @@ constexpr int kShapelets = 19;
 Eigen::VectorXf RandomWalk(int count, std::uint64_t seed);
 
 /// Returns `count` switch pushes of kEpisodeLength samples: those of bags/switch_push_train.bag in turn, stretched,
-/// each with fresh noise of 0.3 N. The environment variable CONTACT_SHAPELETS_BAGS names the folder of the bag. \throws
-/// std::runtime_error if it is not set.
+/// each with fresh noise of 0.3 N. The environment variable CONTACT_SHAPELETS_BAGS names the folder of the bag.
+///
+/// \throws std::runtime_error if it is not set.
 std::vector<core::Episode> SwitchPushes(int count, std::uint64_t seed);
 
 /// Returns the seconds of processor time that `work` takes in all threads. Time on the clock would not compare on a

@@ -57,8 +57,8 @@ ShapeDistance CompareShapes(const Eigen::Ref<const Eigen::VectorXd>& x, const Ei
 Eigen::VectorXd Shifted(const Eigen::Ref<const Eigen::VectorXd>& series, int shift);
 
 /// Returns the shape that `members` [n, m] have in common (section 3.2, algorithm 2 of the paper). Aligns each member x
-/// to `reference` [m], unless that is zero. The shape is the leading eigenvector of Q^T S Q with S = sum x x^T and Q =
-/// I - 1 1^T / m, z-normalised; its product with the members' sum is positive. Returns zeros if all members are
+/// to `reference` [m], unless that is zero. The shape is the leading eigenvector of Q^T S Q, z-normalised, with
+/// S = sum x x^T and Q = I - 1 1^T / m; its product with the members' sum is positive. Returns zeros if all members are
 /// constant.
 Eigen::VectorXd ExtractShape(const Eigen::Ref<const Eigen::MatrixXd>& members,
                              const Eigen::Ref<const Eigen::VectorXd>& reference);

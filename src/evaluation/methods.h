@@ -16,11 +16,14 @@ namespace contact_shapelets::evaluation {
 const std::vector<std::string>& ClustererNames();
 
 /// Returns the method `name`:
-/// "kmeans": K-means on the z-normalised series;
-/// "udfs" (udfs.h) with 5 neighbours, "udfs_k1" to "udfs_k999" with 1 to 999;
-/// "kshape" (k_shape.h); "uslm" (uslm.h);
-/// "nn_stne": this package's trainer with `options`;
-/// "nn_stne_paper": the trainer with PaperOptions(), whatever `options` says.
+///
+/// - "kmeans": K-means on the z-normalised series
+/// - "udfs": UDFS with 5 neighbours (udfs.h); "udfs_k1" to "udfs_k999": with 1 to 999
+/// - "kshape": k-Shape (k_shape.h)
+/// - "uslm": USLM (uslm.h)
+/// - "nn_stne": this package's trainer with `options`
+/// - "nn_stne_paper": the trainer with PaperOptions(), whatever `options` says
+///
 /// \throws std::invalid_argument that lists the methods if there is none of that name.
 std::unique_ptr<Clusterer> MakeClusterer(const std::string& name, const core::TrainerOptions& options);
 

@@ -16,9 +16,10 @@ namespace contact_shapelets::evaluation {
 /// A row holds a class, which is a number, and the values of one series, separated by tabs, commas or spaces. NaN at
 /// the end of a row pads a shorter series and is left out. NaN elsewhere is a missing value; it is interpolated
 /// linearly, or takes the first value if it is at the start, as in the archive's own adjusted version. If a class has a
-/// single member in one of the files only, the reader adds a line about it to `notes` (may be null). \throws
-/// std::runtime_error in one line that names file and row, if a file is missing or empty, rows differ in width, a
-///   value is not a number or is infinite, a series has fewer than 2 values or is constant, a class has no second
+/// single member in one of the files only, the reader adds a line about it to `notes` (may be null).
+///
+/// \throws std::runtime_error in one line that names file and row, if a file is missing or empty, rows differ in width,
+///   a value is not a number or is infinite, a series has fewer than 2 values or is constant, a class has no second
 ///   member in either file, there are fewer than 2 classes, or fewer series than classes.
 DataSet ReadUcrDataSet(const std::string& folder, const std::string& name, std::vector<std::string>* notes);
 

@@ -11,12 +11,12 @@
 
 namespace contact_shapelets::core {
 
-/// How well each of K shapelets matched one series.
+/// The best matches of K shapelets in one series. A shapelet has none if it is constant or all windows are flat.
 struct ShapeletDistances {
-  Eigen::VectorXf distances;    ///< F [K], in [0, 2]: 1 - best normalised cross-correlation; 1 if all windows are flat
+  Eigen::VectorXf distances;    ///< F [K], in [0, 2]: 1 - best normalised cross-correlation; 1 if there is no match
   Eigen::VectorXf memberships;  ///< q [K], equation 4, sum 1
-  Eigen::VectorXi match_start;  ///< [K] first sample of the matched window; -1 if all windows are flat
-  Eigen::VectorXi match_span;   ///< [K] samples that the matched window spans; 0 if all windows are flat
+  Eigen::VectorXi match_start;  ///< [K] first sample of the matched window; -1 if there is no match
+  Eigen::VectorXi match_span;   ///< [K] samples that the matched window spans; 0 if there is no match
 };
 
 /// Working memory of FeatureExtractor. Keep it from one series to the next to save allocations. Each thread needs its

@@ -37,9 +37,10 @@ struct ConsensusOptions {
 /// K-means on the parts of all voters, one-hot and side by side, gives the start of LatentClasses(), which decides
 /// (cluster ensembles: Strehl and Ghosh 2002; of random subspaces: Fred and Jain 2005). If a view says little about the
 /// series, its voters disagree with one another, and their votes count little. `threads` is 1 or more; the result does
-/// not depend on it. \throws std::invalid_argument if no view has a voter, the views' sizes do not match, a greatest
-/// exponent is below 0, a
-///   value is not finite, or N < C.
+/// not depend on it.
+///
+/// \throws std::invalid_argument if no view has a voter, the views' sizes do not match, a greatest exponent is below 0,
+///   a value is not finite, or N < C.
 Eigen::VectorXi ConsensusLabels(const std::vector<View>& views, const ConsensusOptions& options, int threads,
                                 const VotesCallback& on_votes = nullptr);
 

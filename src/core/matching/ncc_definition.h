@@ -18,10 +18,10 @@
 
 namespace contact_shapelets::core {
 
-/// The best match of one shapelet within one series.
+/// The best match of one shapelet within one series. There is none if the shapelet is constant or all windows are flat.
 struct Match {
-  float similarity = -1.0F;  ///< max_j max_w CC_w, in [-1, 1]; -1 if all windows are flat
-  std::int32_t window = -1;  ///< j of that maximum, 0 <= j < J; -1 if all windows are flat
+  float similarity = -1.0F;  ///< max_j max_w CC_w, in [-1, 1]; -1 if there is no match
+  std::int32_t window = -1;  ///< j of that maximum, 0 <= j < J; -1 if there is no match
   std::int32_t shift = 0;    ///< w of that maximum, -(M-1) <= w <= M-1
 };
 
