@@ -26,7 +26,7 @@ PushRecording RecordOutcome(Outcome outcome, double duration, core::Random* rand
     PushRecording recording = RecordPush(SamplePushCondition(outcome, random), duration);
     if (recording.outcome == outcome) return recording;
   }
-  throw std::runtime_error("none of " + std::to_string(kDraws) + " pushes went as " + NameOf(outcome));
+  throw std::runtime_error("none of " + std::to_string(kDraws) + " pushes had the outcome " + NameOf(outcome));
 }
 
 }  // namespace contact_shapelets::simulation

@@ -38,11 +38,11 @@ class OffscreenContext {
     if (eglInitialize(display_, nullptr, nullptr) != EGL_TRUE ||
         eglChooseConfig(display_, attributes, &config, 1, &count) != EGL_TRUE || count < 1 ||
         eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-      throw std::runtime_error("EGL offers no OpenGL here; EGL_PLATFORM=surfaceless may help");
+      throw std::runtime_error("EGL has no OpenGL here; EGL_PLATFORM=surfaceless may help");
     }
     context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, nullptr);
     if (context_ == EGL_NO_CONTEXT || eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
-      throw std::runtime_error("EGL gives no context without a surface");
+      throw std::runtime_error("EGL cannot make a context without a surface");
     }
   }
   ~OffscreenContext() { eglTerminate(display_); }

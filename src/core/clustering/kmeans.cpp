@@ -117,7 +117,7 @@ KMeansResult KMeans(const Eigen::Ref<const Eigen::MatrixXf>& points, const KMean
     throw std::invalid_argument("K-means was given " + std::to_string(points.rows()) + " points for " +
                                 std::to_string(options.clusters) + " clusters");
   }
-  if (!points.allFinite()) throw std::invalid_argument("K-means was given a value that is not finite");
+  if (!points.allFinite()) throw std::invalid_argument("a point of K-means holds a value that is not finite");
   // Points near the origin keep the most digits in squared distances.
   const Eigen::RowVectorXf middle = points.cast<double>().colwise().mean().cast<float>();
   const RowMajor rows = points.rowwise() - middle;

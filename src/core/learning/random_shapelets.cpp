@@ -56,7 +56,7 @@ Eigen::VectorXf DrawnSubsequence(const std::vector<Eigen::VectorXf>& series, int
 }  // namespace
 
 RandomShapelets::RandomShapelets(const std::vector<Eigen::VectorXf>& series, int count, std::uint64_t seed) {
-  if (series.empty()) throw std::invalid_argument("random shapelets need a series to be drawn from");
+  if (series.empty()) throw std::invalid_argument("random shapelets need at least one series");
   for (const Eigen::VectorXf& one : series) {
     if (one.size() < 2) throw std::invalid_argument("a series has fewer than 2 samples");
   }
