@@ -47,8 +47,9 @@ Eigen::MatrixXd LocalScores(const Eigen::Ref<const Eigen::MatrixXd>& points, con
 
 void CheckOptions(const Eigen::Ref<const Eigen::MatrixXd>& points, int clusters, const UdfsOptions& options) {
   if (points.rows() < 2) throw std::invalid_argument("UDFS needs at least 2 points");
-  if (clusters < 1 || points.cols() < clusters)
+  if (clusters < 1 || points.cols() < clusters) {
     throw std::invalid_argument("UDFS needs at least as many features as clusters");
+  }
   if (options.neighbours < 1) throw std::invalid_argument("neighbours must be at least 1");
   if (!(options.ridge > 0.0)) throw std::invalid_argument("ridge must be above 0");
   if (!(options.sparsity > 0.0)) throw std::invalid_argument("sparsity must be above 0");

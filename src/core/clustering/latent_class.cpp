@@ -15,12 +15,14 @@ constexpr double kDoubt = 0.2;
 constexpr double kPrior = 0.5;
 
 void Check(const std::vector<Eigen::VectorXi>& votes, const Eigen::Ref<const Eigen::VectorXi>& start, int classes) {
-  if (votes.empty() || start.size() == 0)
+  if (votes.empty() || start.size() == 0) {
     throw std::invalid_argument("latent classes need at least one vote and one series");
+  }
   if (start.minCoeff() < 0 || start.maxCoeff() >= classes) throw std::invalid_argument("a label is out of range");
   for (const Eigen::VectorXi& vote : votes) {
-    if (vote.size() != start.size())
+    if (vote.size() != start.size()) {
       throw std::invalid_argument("a vote and the start differ in their number of series");
+    }
     if (vote.minCoeff() < 0) throw std::invalid_argument("a part of a vote is below 0");
   }
 }
