@@ -54,7 +54,7 @@ using ProgressCallback = std::function<bool(const TrainingProgress&)>;
 
 /// A model and how the training episodes fell into its clusters.
 struct TrainingResult {
-  Model model;
+  Model model;             ///< as TrainModel() learned it
   Eigen::VectorXi labels;  ///< [N] cluster of each training episode
 };
 
