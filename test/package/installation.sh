@@ -10,7 +10,8 @@ build=$workspace/installation_test
 rm -rf "$install" "$build"
 cmake --install "$workspace/build" >/dev/null
 
-# Nothing of the devel space may help.
+# Nothing of the devel space may help, and another Python in front of the system's has no catkin.
+export PATH=/usr/bin:$PATH
 unset CMAKE_PREFIX_PATH LD_LIBRARY_PATH PKG_CONFIG_PATH PYTHONPATH ROS_PACKAGE_PATH
 set +u
 # shellcheck source=/dev/null
