@@ -67,6 +67,13 @@ fi
 roslaunch contact_shapelets demo.launch cell:="$cell" model:="$output/model.bag" speed:=4 \
   topics:="/episode_active /episode_event /outcome" >"$output/demo.log" 2>&1 &
 started+=($!)
+
+# The watch ends last, unless roscore or roslaunch died.
+wait -n || true
+if kill -0 "$watch" 2>/dev/null; then
+  { tail -n 20 "$output/demo.log"; echo "roslaunch or roscore ended before the pushes did; logs are in $output"; } >&2
+  exit 1
+fi
 status=0
 wait "$watch" || status=$?
 [ "$status" -ne 2 ] || tail -n 20 "$output/demo.log" >&2

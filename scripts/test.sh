@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, runs every gtest and rostest, and prints the counts. Exits with another status than 0 after any
-# failure.
+# Installs what is missing, builds, runs every gtest, every rostest and the checks of the package as a whole, and prints the counts.
+# Exits with another status than 0 after any failure.
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-"$scripts/install_dependencies.sh"
-setup=$("$scripts/build.sh" -DCATKIN_ENABLE_TESTING=ON)
+checks=$(dirname "$scripts")/test/package
+"$scripts/install_dependencies.sh" --tests
+setup=$("$scripts/build.sh")
 workspace=$(dirname "$(dirname "$setup")")
 
 export PATH=/usr/bin:$PATH
@@ -15,16 +16,19 @@ set -u
 cd "$workspace"
 rm -rf build/test_results
 
-status=0
-cmake --build build -- -j"$(nproc)" tests >test_build.log 2>&1 || { tail -40 test_build.log >&2; exit 1; }
-# Tests run one at a time, because a second test would slow the nodes of a rostest down beyond its limits.
-cmake --build build -- -j1 -k run_tests >test.log 2>&1 || status=1
+check() {  # NAME ARGUMENT...
+  /usr/bin/python3 "$scripts/run_check.py" build/test_results/package "$1" "$checks/$1.sh" "${@:2}"
+}
 
-# Ubuntu's ROS does not include catkin_lint.
-if command -v catkin_lint >/dev/null; then
-  catkin_lint "$(dirname "$scripts")" || status=1
-else
-  echo "catkin_lint is not installed and did not check package.xml and CMakeLists.txt" >&2
-fi
+cmake --build build -- -j"$(nproc)" tests >test_build.log 2>&1 || { tail -40 test_build.log >&2; exit 1; }
+grep -F ' warning: ' test_build.log >>warnings.log || true
+check installation "$workspace"
+check catkin_lint
+check doxygen "$workspace"
+# Tests run one at a time, because a second test would slow the nodes of a rostest down beyond its limits.
+status=0
+cmake --build build -- -j1 -k run_tests >test.log 2>&1 || status=1
+# The last, since it cleans the build after a warning.
+check compiler_warnings "$workspace"
 /usr/bin/python3 "$scripts/count_tests.py" build/test_results || status=1
 exit $status

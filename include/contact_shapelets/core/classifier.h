@@ -24,8 +24,8 @@ struct Diagnosis {
 
 /// Features and diagnosis of one episode.
 struct Classification {
-  ShapeletDistances features;
-  Diagnosis diagnosis;
+  ShapeletDistances features;  ///< where and how well each shapelet matched
+  Diagnosis diagnosis;         ///< what follows from them
 };
 
 /// Classifies episodes by one model.

@@ -16,10 +16,10 @@ enum class EdgeSource {
 
 /// The opening or closing of an episode.
 struct EpisodeEdge {
-  bool open = true;      ///< opening or closing
-  Nanoseconds time = 0;  ///< on the clock of the samples
-  EdgeSource source = EdgeSource::kPlain;
-  std::string id;  ///< of the episode; may be empty
+  bool open = true;                        ///< opening or closing
+  Nanoseconds time = 0;                    ///< on the clock of the samples
+  EdgeSource source = EdgeSource::kPlain;  ///< where it comes from
+  std::string id;                          ///< of the episode; may be empty
 };
 
 }  // namespace contact_shapelets::core

@@ -25,7 +25,9 @@ class FeatureMemory {
  public:
   FeatureMemory();
   ~FeatureMemory();
+  /// Takes over the arrays of another, which must not be used then.
   FeatureMemory(FeatureMemory&&) noexcept;
+  /// Takes over the arrays of another, which must not be used then.
   FeatureMemory& operator=(FeatureMemory&&) noexcept;
 
   struct Arrays;

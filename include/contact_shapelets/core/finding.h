@@ -17,9 +17,9 @@ enum class Severity {
 
 /// Something that is wrong with data.
 struct Finding {
-  Severity severity = Severity::kWarning;
-  std::string text;    ///< what is wrong, with figures
-  std::string remedy;  ///< what to do about it
+  Severity severity = Severity::kWarning;  ///< how grave it is
+  std::string text;                        ///< what is wrong, with figures
+  std::string remedy;                      ///< what to do about it
 };
 
 }  // namespace contact_shapelets::core

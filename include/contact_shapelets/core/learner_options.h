@@ -18,10 +18,10 @@ enum class Objective {
 struct LearnerOptions {
   /// Scales: lengths of the shapelets as parts of the median series, each in (0, 1).
   std::vector<double> scales{0.05, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8};
-  Objective objective = Objective::kContrastive;
-  double repulsion = 3.0;       ///< weight of the repulsion in the contrastive objective, at least 0
-  double diversity = 0.0;       ///< lambda K^2 of equation 6, at least 0
-  double sparsity = 0.0;        ///< beta of equation 6, at least 0; above 0 it shortens shapelets
+  Objective objective = Objective::kContrastive;  ///< weights of the spectral term
+  double repulsion = 3.0;                         ///< weight of the repulsion in the contrastive objective, at least 0
+  double diversity = 0.0;                         ///< lambda K^2 of equation 6, at least 0
+  double sparsity = 0.0;                          ///< beta of equation 6, at least 0; above 0 it shortens shapelets
   double flat_fraction = 0.3;   ///< windows under this part of the series' standard deviation never match, [0, 1)
   int steps = 60;               ///< gradient steps per bank, at least 0
   double learning_rate = 0.01;  ///< learning rate of Adam, above 0

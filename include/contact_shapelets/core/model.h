@@ -32,13 +32,13 @@ struct Provenance {
 
 /// Shapelets and clusters.
 struct Model {
-  std::string id;              ///< unique
-  double sample_period = 0.0;  ///< [s] sample period of the training episodes
-  double flat_fraction = 0.3;  ///< windows under this part of the episode's standard deviation never match, [0, 1)
-  double log_offset = 0.05;    ///< see Features(), [0, 1]
-  std::vector<Shapelet> shapelets;
-  std::vector<Cluster> clusters;
-  Provenance provenance;
+  std::string id;                   ///< unique
+  double sample_period = 0.0;       ///< [s] sample period of the training episodes
+  double flat_fraction = 0.3;       ///< windows under this part of the episode's standard deviation never match, [0, 1)
+  double log_offset = 0.05;         ///< see Features(), [0, 1]
+  std::vector<Shapelet> shapelets;  ///< [K], one feature each
+  std::vector<Cluster> clusters;    ///< [C]
+  Provenance provenance;            ///< how it was trained
 
   /// Returns the features that clusters are formed on, for distances F [N, K], one series per row:
   /// log(max(F, 0) + log_offset), or max(F, 0) if `log_offset` is 0.

@@ -23,11 +23,11 @@ enum class TareSource {
 
 /// Parameters of EpisodeSegmenter. Defaults suit an iiwa's estimate: 1 to 5 N off in free air.
 struct SegmentationOptions {
-  Segmentation segmentation = Segmentation::kTrigger;
-  TareSource tare = TareSource::kEpisodeStart;
-  double sample_period = 0.01;      ///< [s] of the episodes, [0.0001, 1]
-  double tare_duration = 0.1;       ///< [s] that the tare is the mean of, (0, 10]
-  double min_duration = 0.1;        ///< [s] shorter episodes are dropped, at least 2 sample periods
+  Segmentation segmentation = Segmentation::kTrigger;  ///< what opens and closes an episode
+  TareSource tare = TareSource::kEpisodeStart;         ///< which force is taken for zero
+  double sample_period = 0.01;                         ///< [s] of the episodes, [0.0001, 1]
+  double tare_duration = 0.1;                          ///< [s] that the tare is the mean of, (0, 10]
+  double min_duration = 0.1;                           ///< [s] shorter episodes are dropped, at least 2 sample periods
   double max_duration = 30.0;       ///< [s] longer episodes are closed, above min_duration, at most 600
   double max_gap = 0.2;             ///< [s] between samples, beyond which an episode is not complete, above 0
   double stream_timeout = 1.0;      ///< [s] without a sample, after which an open episode is closed, above max_gap

@@ -57,7 +57,7 @@ using ProgressCallback = std::function<bool(const TrainingProgress&)>;
 
 /// A model and the clusters of the training episodes.
 struct TrainingResult {
-  Model model;
+  Model model;             ///< as TrainModel() learned it
   Eigen::VectorXi labels;  ///< [N] cluster of each training episode
 };
 

@@ -23,7 +23,9 @@ class WrenchStream {
   /// \throws std::invalid_argument naming every parameter that is out of range.
   explicit WrenchStream(const SegmentationOptions& options);
   ~WrenchStream();
+  /// Takes over the stream of another, which must not be used then.
   WrenchStream(WrenchStream&&) noexcept;
+  /// Takes over the stream of another, which must not be used then.
   WrenchStream& operator=(WrenchStream&&) noexcept;
 
   /// Takes a wrench with the header's `stamp` (0: none). Counts and drops forces that are not finite or above

@@ -15,7 +15,7 @@ namespace contact_shapelets {
 
 /// What to read.
 struct BagReaderOptions {
-  core::SegmentationOptions segmentation;
+  core::SegmentationOptions segmentation;  ///< how raw wrench is cut
   std::string wrench_topic;  ///< empty: the only WrenchStamped; a name also wins over Episode messages in the bag
 };
 
