@@ -4,15 +4,15 @@
 set -euo pipefail
 
 optional=(libbenchmark-dev libmujoco-dev)
-[ "${1:-}" != --tests ] || optional+=(catkin-lint doxygen)
+[ "${1:-}" != --tests ] || optional+=(catkin-lint doxygen python3-numpy)
 
 common=(build-essential cmake pkg-config libeigen3-dev libfftw3-dev libboost-program-options-dev libconsole-bridge-dev libgtest-dev
-  libyaml-cpp-dev)
+  libyaml-cpp-dev liborocos-kdl-dev)
 
 if [ -d /opt/ros/noetic ]; then
   packages=("${common[@]}" ros-noetic-roscpp ros-noetic-rosbag ros-noetic-rosbag-storage ros-noetic-rostest
     ros-noetic-roslaunch ros-noetic-rosbash ros-noetic-rostopic ros-noetic-rosservice ros-noetic-actionlib ros-noetic-actionlib-msgs
-    ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater ros-noetic-geometry-msgs ros-noetic-std-msgs
+    ros-noetic-diagnostic-msgs ros-noetic-diagnostic-updater ros-noetic-geometry-msgs ros-noetic-kdl-parser ros-noetic-std-msgs
     ros-noetic-std-srvs ros-noetic-roslib ros-noetic-topic-tools ros-noetic-message-generation
     ros-noetic-message-runtime)
 elif grep -q '^VERSION_CODENAME=focal' /etc/os-release; then
@@ -23,8 +23,8 @@ else
     librosbag-storage-dev libroslib-dev librosconsole-dev librostest-dev libtopic-tools-dev libactionlib-dev
     libdiagnostic-updater-dev libdiagnostic-msgs-dev libactionlib-msgs-dev ros-actionlib-msgs ros-diagnostic-msgs
     libgeometry-msgs-dev ros-geometry-msgs libstd-msgs-dev ros-std-msgs libstd-srvs-dev ros-std-srvs
-    libros-rosgraph-msgs-dev python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster python3-rosmsg
-    python3-rosnode python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic python3-rosunit
+    libkdl-parser-dev libros-rosgraph-msgs-dev python3-actionlib python3-rosbag python3-roslaunch python3-rosmaster
+    python3-rosmsg python3-rosnode python3-rosparam python3-rospy python3-rosservice python3-rostest python3-rostopic python3-rosunit
     python3-topic-tools python3-diagnostic-msgs python3-geometry-msgs python3-std-msgs python3-std-srvs
     python3-catkin-pkg python3-empy rosbash rosout rospack-tools)
 fi

@@ -12,6 +12,8 @@
 #include "cli/program.h"
 #include "contact_shapelets/Diagnosis.h"
 #include "contact_shapelets/ShapeletFeatures.h"
+#include "contact_shapelets/core/trainer.h"
+#include "contact_shapelets/ros/episode_bag_reader.h"
 #include "contact_shapelets/ros/model_bag.h"
 
 namespace contact_shapelets::test {
@@ -159,6 +161,21 @@ TEST_F(OutputsTest, EqualSeedsGiveEqualModels) {
   ASSERT_EQ(RunShapelets({"train", bag_, "--model", again, "--config", *folder_ / "quick.yaml", "--seed", "7"}).status,
             0);
   EXPECT_NE(LoadModel(again).id, LoadModel(model_).id) << "the older model is still there";
+}
+
+TEST_F(OutputsTest, PaperYamlTrainsThePapersSetUp) {
+  const std::string bag = CutEpisodes("bags/switch_push_train.bag", 12, *folder_ / "few.bag");
+  const std::string path = *folder_ / "paper.bag";
+  const ProgramRun run = RunShapelets({"train", bag, "--model", path, "--config", "config/paper.yaml"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const core::Model model = LoadModel(path);
+  EXPECT_EQ(model.provenance.objective, "paper");
+  EXPECT_EQ(model.provenance.selected_scales, std::vector<double>{0.4});
+  EXPECT_EQ(model.log_offset, 0.0);
+  EXPECT_EQ(model.flat_fraction, 0.0);
+  // The evaluation's nn_stne_paper trains by the same options.
+  const std::vector<core::Episode> episodes = ReadEpisodes(bag, BagReaderOptions{}).episodes;
+  EXPECT_EQ(model.id, core::TrainModel(episodes, core::PaperOptions()).model.id);
 }
 
 TEST_F(OutputsTest, NumberOfClustersFollowsTheArgument) {

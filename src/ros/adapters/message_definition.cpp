@@ -1,5 +1,6 @@
 #include "ros/adapters/message_definition.h"
 
+#include <algorithm>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
@@ -176,6 +177,20 @@ std::string MessageDefinition::Text(const std::string& path, const std::uint8_t*
   const Walk walk(*this, path, data, size);
   if (walk.texts.size() != 1) throw std::runtime_error(path + " of " + datatype_ + " is not one string");
   return walk.texts.front();
+}
+
+bool MessageDefinition::HasTexts(const std::string& field) const {
+  const std::vector<Field>& fields = fields_of_.at(datatype_);
+  return std::any_of(fields.begin(), fields.end(), [&field](const Field& candidate) {
+    return candidate.name == field && candidate.array && candidate.type == kString;
+  });
+}
+
+std::vector<std::string> MessageDefinition::Texts(const std::string& path, const std::uint8_t* data,
+                                                  std::size_t size) const {
+  Walk walk(*this, path, data, size);
+  if (!walk.numbers.empty()) throw std::runtime_error(path + " of " + datatype_ + " holds numbers, expected strings");
+  return std::move(walk.texts);
 }
 
 }  // namespace contact_shapelets

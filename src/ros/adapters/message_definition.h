@@ -31,6 +31,12 @@ class MessageDefinition {
   /// The text at `path`, a string that is not within an array. \throws std::runtime_error as Numbers() does.
   std::string Text(const std::string& path, const std::uint8_t* data, std::size_t size) const;
 
+  /// Whether the message itself has a field of this name that is a list of strings.
+  bool HasTexts(const std::string& field) const;
+
+  /// The texts at `path`, a list of strings, in order. \throws std::runtime_error as Numbers() does.
+  std::vector<std::string> Texts(const std::string& path, const std::uint8_t* data, std::size_t size) const;
+
  private:
   static constexpr int kAnyCount = -1;
 

@@ -6,7 +6,7 @@
 #include <std_msgs/String.h>
 #include <topic_tools/shape_shifter.h>
 
-#include "ros/messages/topics.h"
+#include "ros/adapters/driver_messages.h"
 #include "ros/nodes/live_helpers.h"
 
 namespace contact_shapelets::test {
@@ -14,91 +14,41 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-constexpr char kRule[] = "================================================================================\n";
-constexpr char kHeader[] = "MSG: std_msgs/Header\nuint32 seq\ntime stamp\nstring frame_id\n";
-
-/// Serialises values one after the other, as a driver's message would hold them.
-class Bytes {
- public:
-  template <typename Value>
-  Bytes& Add(const Value& value) {
-    const std::size_t before = bytes_.size();
-    bytes_.resize(before + ros::serialization::serializationLength(value));
-    ros::serialization::OStream stream(bytes_.data() + before, static_cast<std::uint32_t>(bytes_.size() - before));
-    ros::serialization::serialize(stream, value);
-    return *this;
-  }
-  /// Makes them the contents of a message.
-  void Into(topic_tools::ShapeShifter* message) {
-    ros::serialization::IStream stream(bytes_.data(), static_cast<std::uint32_t>(bytes_.size()));
-    message->read(stream);
-  }
-
- private:
-  std::vector<std::uint8_t> bytes_;
-};
-
 /// A driver that publishes one kind of message of its own.
 class Driver {
  public:
-  Driver(const std::string& topic, const std::string& type, const std::string& definition) {
-    message.morph("00112233445566778899aabbccddeeff", type, definition, "");
-    publisher_ = message.advertise(node_handle_, topic, 10);
-  }
+  Driver(const std::string& topic, const topic_tools::ShapeShifter& message)
+      : publisher_(message.advertise(node_handle_, topic, 10)) {}
+
   bool WaitForSubscriber() {
     return WaitUntil([this] { return publisher_.getNumSubscribers() > 0; });
   }
-  void Publish() { publisher_.publish(message); }
-
-  topic_tools::ShapeShifter message;
+  void Publish(const topic_tools::ShapeShifter& message) { publisher_.publish(message); }
 
  private:
   ros::NodeHandle node_handle_;
   ros::Publisher publisher_;
 };
 
-std_msgs::Header HeaderOf(const ros::Time& stamp, const std::string& frame_id) {
-  std_msgs::Header header;
-  header.stamp = stamp;
-  header.frame_id = frame_id;
-  return header;
-}
-
 /// An arm that publishes joint states and external torques by messages of its driver.
 class Arm {
  public:
   explicit Arm(const std::string& name)
       : wrenches(name + "/wrench"),
-        joints_(name + "/joint_states", "sensor_msgs/JointState",
-                std::string("Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\n") +
-                    "float64[] effort\n" + kRule + kHeader),
-        driver_(name + "/driver_message", "iiwa_driver/AdditionalOutputs",
-                std::string("Header header\nstd_msgs/Float64MultiArray external_torques\n") + kRule + kHeader + kRule +
-                    "MSG: std_msgs/Float64MultiArray\nMultiArrayLayout layout\nfloat64[] data\n" + kRule +
-                    "MSG: std_msgs/MultiArrayLayout\nMultiArrayDimension[] dim\nuint32 data_offset\n" + kRule +
-                    "MSG: std_msgs/MultiArrayDimension\nstring label\nuint32 size\nuint32 stride\n") {}
+        joints_(name + "/joint_states", JointStates(ros::Time(), {}, {})),
+        driver_(name + "/driver_message", ExternalTorques(ros::Time(), {})) {}
 
   bool WaitForAdapter() {
     return wrenches.WaitForPublisher() && driver_.WaitForSubscriber() && joints_.WaitForSubscriber();
   }
   void SendPositions(const ros::Time& stamp, const std::vector<double>& positions) {
-    Bytes()
-        .Add(HeaderOf(stamp, ""))
-        .Add(std::vector<std::string>(positions.size(), "iiwa_joint"))
-        .Add(positions)
-        .Add(std::vector<double>())
-        .Add(std::vector<double>())
-        .Into(&joints_.message);
-    joints_.Publish();
+    joints_.Publish(JointStates(stamp, {}, positions));
   }
-  void SendTorques(const ros::Time& stamp) {
-    Bytes().Add(HeaderOf(stamp, "")).Add(std::uint32_t{0}).Add(std::uint32_t{0}).Add(torques_).Into(&driver_.message);
-    driver_.Publish();
-  }
+  void SendTorques(const ros::Time& stamp) { driver_.Publish(ExternalTorques(stamp, torques_)); }
   /// Sends both with these stamps until their wrench arrives: topics travel apart.
   bool SendUntilWrench(const ros::Time& joint_stamp, const ros::Time& torque_stamp) {
     return WaitUntil([&] {
-      SendPositions(joint_stamp, positions_);
+      joints_.Publish(JointStates(joint_stamp, IiwaJoints(), positions_));
       SendTorques(torque_stamp);
       return HasWrench(torque_stamp);
     });
@@ -120,20 +70,18 @@ class Arm {
 
 TEST(WrenchAdapter, ReadsTheWrenchOutOfADriversOwnMessage) {
   Inbox<geometry_msgs::WrenchStamped> wrenches("adapter/wrench");
-  Driver driver("adapter/driver_message", "iiwa_msgs/CartesianWrench",
-                std::string("Header header\ngeometry_msgs/Wrench wrench\ngeometry_msgs/Wrench inaccuracy\n") + kRule +
-                    kHeader + kRule + "MSG: geometry_msgs/Wrench\nVector3 force\nVector3 torque\n" + kRule +
-                    "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n");
+  topic_tools::ShapeShifter message = DriverMessage(
+      "iiwa_msgs/CartesianWrench",
+      std::string("Header header\ngeometry_msgs/Wrench wrench\ngeometry_msgs/Wrench inaccuracy\n") + kRule +
+          kHeaderDefinition + kRule + "MSG: geometry_msgs/Wrench\nVector3 force\nVector3 torque\n" + kRule +
+          "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\nfloat64 z\n");
+  Driver driver("adapter/driver_message", message);
   ASSERT_TRUE(wrenches.WaitForPublisher() && driver.WaitForSubscriber());
   geometry_msgs::Wrench wrench;
   wrench.force.x = 1.5;
   wrench.torque.y = -0.25;
-  Bytes()
-      .Add(HeaderOf(ros::Time(1000, 5), "iiwa_link_ee"))
-      .Add(wrench)
-      .Add(geometry_msgs::Wrench())
-      .Into(&driver.message);
-  driver.Publish();
+  Bytes().Add(HeaderOf(ros::Time(1000, 5), "iiwa_link_ee")).Add(wrench).Add(geometry_msgs::Wrench()).Into(&message);
+  driver.Publish(message);
   ASSERT_TRUE(wrenches.WaitForCount(1));
   const geometry_msgs::WrenchStamped& received = wrenches.messages().front();
   EXPECT_EQ(received.header.stamp, ros::Time(1000, 5));
@@ -191,10 +139,10 @@ TEST(WrenchAdapter, TakesNoTorquesFarFromTheStampOfTheJointStates) {
   ASSERT_TRUE(arm.SendUntilWrench(ros::Time(10, 0), ros::Time(10, 100'000'000)));
   arm.SendTorques(ros::Time(13, 0));
   EXPECT_TRUE(diagnostics.WaitFor("torques/wrench_adapter_node", DiagnosticStatus::ERROR,
-                                  "/torques/joint_states is 3.0 s older than the torques"));
+                                  "the last joint states are 3.0 s older than the torques"));
   arm.SendTorques(ros::Time(8, 0));
   EXPECT_TRUE(diagnostics.WaitFor("torques/wrench_adapter_node", DiagnosticStatus::ERROR,
-                                  "/torques/joint_states is 2.0 s newer than the torques"));
+                                  "the last joint states are 2.0 s newer than the torques"));
   EXPECT_FALSE(arm.HasWrench(ros::Time(13, 0)) || arm.HasWrench(ros::Time(8, 0)));
   EXPECT_TRUE(arm.SendUntilWrench(ros::Time(14, 0), ros::Time(14, 0)));
 }
@@ -219,11 +167,24 @@ TEST(WrenchAdapter, SaysThatJointStatesCannotBeRead) {
                                   "/unstamped/joint_states: position has 2 values, expected 7"));
 }
 
+TEST(WrenchAdapter, SaysThatTheRobotsDescriptionIsMissingAndWaitsForIt) {
+  Diagnostics diagnostics;
+  Arm arm("late");
+  ASSERT_TRUE(diagnostics.WaitFor("late/wrench_adapter_node", DiagnosticStatus::ERROR,
+                                  "the parameter robot_description is not set"));
+  ros::param::set("late/robot_description", std::string("<robot name=\"empty\"><link name=\"base\"/></robot>"));
+  ASSERT_TRUE(diagnostics.WaitFor("late/wrench_adapter_node", DiagnosticStatus::ERROR,
+                                  "the robot's description has no link \"iiwa_link_0\""));
+  ros::param::set("late/robot_description", ros::param::param("torques/robot_description", std::string()));
+  ASSERT_TRUE(arm.WaitForAdapter());
+  EXPECT_TRUE(arm.SendUntilWrench(ros::Time(1, 0), ros::Time(1, 0)));
+}
+
 TEST(WrenchAdapter, StaysUpAndNamesEachParameterOutOfRange) {
   Diagnostics diagnostics;
   EXPECT_TRUE(diagnostics.WaitFor("faulty/wrench_adapter_node", [](const DiagnosticStatus& status) {
     return status.level == DiagnosticStatus::ERROR && status.message.find("damping") != std::string::npos &&
-           status.message.find("arm_lengths must be above 0 m, but one is -0.4") != std::string::npos;
+           status.message.find("tip_link must name a link of the robot, but is empty") != std::string::npos;
   }));
 }
 

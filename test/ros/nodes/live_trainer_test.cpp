@@ -78,6 +78,19 @@ TEST(Trainer, TrainsReportsProgressAndPublishesTheModel) {
   EXPECT_LE(feedback.back().fraction_done, 1.0F);
 }
 
+TEST(Trainer, TrainsThePapersSetUpByPaperYaml) {
+  Client client("paper/train", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kLimit)));
+  const std::string output = testing::TempDir() + "paper_model.bag";
+  client.sendGoal(GoalTo(output));
+  ASSERT_TRUE(Finished(&client));
+  EXPECT_EQ(client.getState(), SimpleClientGoalState::SUCCEEDED) << client.getResult()->message;
+  const core::Model model = LoadModel(output);
+  EXPECT_EQ(model.provenance.objective, "paper");
+  EXPECT_EQ(model.provenance.selected_scales, std::vector<double>{0.4});
+  EXPECT_EQ(model.log_offset, 0.0);
+}
+
 TEST(Trainer, CancelledLeavesTheOldModel) {
   Client client("slow/train", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kLimit)));
