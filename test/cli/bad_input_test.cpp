@@ -150,7 +150,7 @@ TEST_F(BadInputTest, ModelOfAnotherMessageVersion) {
 TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
   const std::string config = WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
   ExpectRefusal({"train", Sound(), "--model", model_, "--config", config}, 1,
-                {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
+                {"bad.yaml", "clusters must be in [2, 1000], but is 0", "steps must be a whole number, but is many",
                  "sample_period must be in [0.0001, 1] s, but is 7", "stepps is not a parameter"});
 }
 
@@ -255,7 +255,7 @@ TEST_F(BadInputTest, TrainingEndedByASignalLeavesTheOldModelAndNothingElse) {
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string before = ReadFile(model_);
   const std::vector<std::string> files = folder_.Files();
-  const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
+  const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 1000000\nscales: [0.1, 0.3]\nthreads: 1\n");
   for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
     ASSERT_TRUE(EndShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go", number)) << number;
     EXPECT_EQ(ReadFile(model_), before) << number;

@@ -41,7 +41,8 @@ class Classifier {
   /// The same in memory of the caller, which is kept from one episode to the next; one per thread.
   Classification Classify(const Episode& episode, FeatureMemory* memory) const;
 
-  /// Sets the label of a cluster. \throws std::invalid_argument where there is no such cluster or the label is empty.
+  /// Sets the label of a cluster. \throws std::invalid_argument where there is no such cluster, or the label is empty
+  /// or longer than kLongestLabel.
   void NameCluster(int cluster, const std::string& label);
 
   /// The model in use.

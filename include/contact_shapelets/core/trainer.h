@@ -19,18 +19,19 @@ namespace contact_shapelets::core {
 
 /// Parameters of TrainModel().
 struct TrainerOptions {
-  int clusters = 3;           ///< C, at least 2
+  int clusters = 3;           ///< C, [2, kMostClusters]
   LearnerOptions learner;     ///< shapelet banks
   bool log_distances = true;  ///< cluster on the logarithm of the distances; false: on the distances, as the paper does
-  int kmeans_restarts = 20;   ///< of the K-means that the decision begins with, at least 1
-  int voters = 200;  ///< see ConsensusLabels(), at least 0: most on the learned shapelets, the others on random ones;
+  int kmeans_restarts = 20;   ///< of the K-means that the decision begins with, [1, 1000]
+  int voters = 200;  ///< see ConsensusLabels(), [0, 2000]: most on the learned shapelets, the others on random ones;
                      ///< 0: one K-means on the former
-  int random_shapelets = 1000;  ///< that vote beside the learned ones, at least 0; 0: learned ones alone
-  int voting_episodes = 5000;  ///< at least the clusters: of more episodes as many are drawn to be voted on; the others
-                               ///< go to the nearest centroid of those
+  int random_shapelets = 1000;    ///< that vote beside the learned ones, [0, 10000]; 0: learned ones alone
+  int voting_episodes = 5000;     ///< [clusters, 50000]: of more episodes as many are drawn to be voted on; the others
+                                  ///< go to the nearest centroid of those
+  bool incomplete = false;        ///< whether to learn from episodes that lack samples, too; see TakeIncomplete()
   double novelty_quantile = 1.0;  ///< (0, 1] of the training distances that a cluster's limit covers
-  double novelty_margin = 1.5;    ///< at least 1: factor on that quantile
-  int threads = 0;                ///< 0: as many as the machine has; the result does not depend on it
+  double novelty_margin = 1.5;    ///< [1, 1000]: factor on that quantile
+  int threads = 0;                ///< [0, 1024], 0: all of the machine; the result does not depend on it
   std::uint64_t seed = 0;         ///< equal seeds give equal models
 
   /// Every parameter that is out of range, one line each with its name and range; empty if all values are valid.

@@ -59,6 +59,21 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   }
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
 }
+/// Hours of training must not end in a model that nobody may read.
+void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options) {
+  const auto count = static_cast<int>(series.size());
+  const int typical_length = MedianLength(series);
+  double values = 0.0;
+  for (const double scale : options.learner.scales) {
+    const int length = std::max(options.learner.shortest, static_cast<int>(scale * typical_length));
+    values += static_cast<double>(length) * ShapeletCount(count, typical_length, length, options.clusters);
+  }
+  if (values <= kMostValues) return;
+  throw std::invalid_argument("episodes of " + std::to_string(typical_length) + " samples (median) give shapelets of " +
+                              std::to_string(std::llround(values)) + " values, more than " +
+                              std::to_string(kMostValues) + ": raise sample_period, or give fewer scales");
+}
+
 
 /// The scale that each shapelet of `model` was learned at.
 Eigen::VectorXf ScalesOf(const Model& model) {
@@ -198,6 +213,7 @@ Eigen::VectorXi VotedLabels(const Training& training, const Eigen::Ref<const Eig
     return KMeans(model.Features(distances), kmeans).labels;
   }
   const auto learned_voters = static_cast<int>(std::lround(kLearnedShare * options.voters));
+  CheckModelSize(series, options);
   const int random_voters = random_distances.cols() > 0 ? options.voters - learned_voters : 0;
   const std::vector<View> views{
       {model.Features(distances), ScalesOf(model), options.voters - random_voters, kLearnedExponent},
@@ -244,7 +260,9 @@ Training Train(const std::vector<Episode>& episodes, const TrainerOptions& optio
   report(kVoted);
   model.clusters = FormClusters(model.Features(distances), training.labels, options);
   const std::vector<std::string> names = NameClusters(training.labels, outcomes, options.clusters);
-  for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];
+  for (std::size_t index = 0; index < names.size(); ++index) {
+    model.clusters[index].label = names[index].substr(0, kLongestLabel);
+  }
 
   model.id = ModelDigest(model);
   model.provenance.objective = options.learner.objective == Objective::kPaper ? "paper" : "contrastive";

@@ -80,23 +80,13 @@ WrenchAdapterNode::WrenchAdapterNode(const ros::NodeHandle& node_handle, const r
 
 void WrenchAdapterNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
-  std::vector<double> lengths{geometry_.base_to_shoulder, geometry_.shoulder_to_elbow, geometry_.elbow_to_wrist,
-                              geometry_.wrist_to_flange};
-  reader.Read("source", {{"wrench", false}, {"joint_torques", true}}, &from_torques_);
-  reader.Read("field", &field_);
-  reader.Read("frame_id", &frame_id_);
-  reader.Read("damping", &damping_);
-  reader.Read("arm_lengths", &lengths);
-  if (!(damping_ >= 0.0)) reader.AddFaults("damping must be at least 0, but is " + std::to_string(damping_) + "\n");
-  for (const double length : lengths) {
-    if (!(length > 0.0)) reader.AddFaults("arm_lengths must be above 0 m, but one is " + std::to_string(length) + "\n");
-  }
-  if (lengths.size() == 4) {
-    geometry_ = {lengths[0], lengths[1], lengths[2], lengths[3]};
-  } else {
-    reader.AddFaults("arm_lengths must be 4 lengths [m], but has " + std::to_string(lengths.size()) + "\n");
-  }
-  if (from_torques_ && field_.empty()) field_ = "external_torques.data";
+  const AdapterOptions options = ReadAdapterOptions(&reader);
+  from_torques_ = options.from_torques;
+  field_ = options.field;
+  frame_id_ = options.frame_id;
+  damping_ = options.damping;
+  const std::vector<double>& lengths = options.arm_lengths;
+  if (lengths.size() == 4) geometry_ = {lengths[0], lengths[1], lengths[2], lengths[3]};
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {

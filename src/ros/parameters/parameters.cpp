@@ -3,8 +3,10 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <limits>
 #include <regex>
 
+#include "core/numerics/interval.h"
 #include "ros/messages/text.h"
 
 namespace contact_shapelets {
@@ -120,7 +122,7 @@ void ParameterReader::Read(const std::string& name, std::string* value) {
 void ParameterReader::Read(const std::string& name, std::uint64_t* value) {
   int number = static_cast<int>(*value);
   Read(name, &number);
-  if (number < 0) faults_ << name << " must be at least 0, but is " << number << '\n';
+  core::CheckRange(name, number, {0, std::numeric_limits<int>::max()}, &faults_);
   *value = static_cast<std::uint64_t>(std::max(0, number));
 }
 
@@ -173,8 +175,21 @@ std::vector<std::string> ParameterReader::Unset() const {
 }
 
 std::string ClassifierOptions::Faults() const {
-  if (early_minimum >= 0.0 && early_minimum <= 1.0) return "";
-  return "early_minimum must be in [0, 1], but is " + std::to_string(early_minimum) + "\n";
+  std::ostringstream faults;
+  core::CheckRange("early_minimum", early_minimum, {0, 1}, &faults);
+  return faults.str();
+}
+
+std::string AdapterOptions::Faults() const {
+  std::ostringstream faults;
+  core::CheckRange("damping", damping, {0, 100}, &faults);
+  for (const double length : arm_lengths) {
+    core::CheckRange("arm_lengths", length, {0, 10, true}, &faults, " m");
+  }
+  if (arm_lengths.size() != 4) {
+    faults << "arm_lengths must be 4 lengths [m], but has " << arm_lengths.size() << '\n';
+  }
+  return faults.str();
 }
 
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
@@ -203,9 +218,9 @@ EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
   EpisodeOptions options;
   options.segmentation = ReadSegmentationOptions(reader);
   reader->Read("progress_rate", &options.progress_rate);
-  if (!(options.progress_rate >= 0.0 && options.progress_rate <= 100.0)) {
-    reader->AddFaults("progress_rate must be in [0, 100] Hz, but is " + std::to_string(options.progress_rate) + "\n");
-  }
+  std::ostringstream faults;
+  core::CheckRange("progress_rate", options.progress_rate, {0, 100}, &faults, " Hz");
+  reader->AddFaults(faults.str());
   return options;
 }
 
@@ -247,6 +262,18 @@ ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
 }
 
 void LogParameters(const ParameterReader& reader) {
+AdapterOptions ReadAdapterOptions(ParameterReader* reader) {
+  AdapterOptions options;
+  reader->Read("source", {{"wrench", false}, {"joint_torques", true}}, &options.from_torques);
+  reader->Read("field", &options.field);
+  reader->Read("frame_id", &options.frame_id);
+  reader->Read("damping", &options.damping);
+  reader->Read("arm_lengths", &options.arm_lengths);
+  reader->AddFaults(options.Faults());
+  if (options.from_torques && options.field.empty()) options.field = "external_torques.data";
+  return options;
+}
+
   for (const std::string& name : reader.Unread()) {
     // The updater of diagnostics has parameters of its own.
     if (name.rfind("diagnostic_", 0) != 0) ROS_WARN("~%s is not a parameter of this node", name.c_str());

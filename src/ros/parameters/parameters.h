@@ -81,6 +81,18 @@ struct ClassifierOptions {
   std::string Faults() const;
 };
 
+/// What the wrench adapter node is told.
+struct AdapterOptions {
+  bool from_torques = false;  ///< makes the wrench of the external torques of the joints
+  std::string field;          ///< path of six numbers, or of seven torques; empty: the first geometry_msgs/Wrench
+  std::string frame_id;       ///< of the wrench; empty: as the driver's
+  double damping = 0.05;      ///< see core::FlangeWrench(), [0, 100]
+  std::vector<double> arm_lengths{0.34, 0.4, 0.4, 0.126};  ///< [m] see core::ArmGeometry, 4 of them, each in (0, 10]
+
+  /// Every parameter that is out of range, one line each.
+  std::string Faults() const;
+};
+
 /// Parameters of the segmentation; faults are noted in `reader`.
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader);
 /// Parameters of the episode node, the segmentation's included; faults are noted in `reader`.
@@ -89,6 +101,9 @@ EpisodeOptions ReadEpisodeOptions(ParameterReader* reader);
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
 /// Parameters of the classifier node; faults are noted in `reader`.
 ClassifierOptions ReadClassifierOptions(ParameterReader* reader);
+
+/// Parameters of the wrench adapter node; faults are noted in `reader`.
+AdapterOptions ReadAdapterOptions(ParameterReader* reader);
 
 /// Logs which parameters a node has that it does not know (as warnings) and which differ from their defaults.
 void LogParameters(const ParameterReader& reader);

@@ -223,7 +223,7 @@ TEST(WrenchAdapter, StaysUpAndNamesEachParameterOutOfRange) {
   Diagnostics diagnostics;
   EXPECT_TRUE(diagnostics.WaitFor("faulty/wrench_adapter_node", [](const DiagnosticStatus& status) {
     return status.level == DiagnosticStatus::ERROR && status.message.find("damping") != std::string::npos &&
-           status.message.find("arm_lengths must be above 0 m, but one is -0.4") != std::string::npos;
+           status.message.find("arm_lengths must be in (0, 10] m, but is -0.4") != std::string::npos;
   }));
 }
 
