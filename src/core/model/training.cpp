@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "core/clustering/kmeans.h"
 #include "core/learning/learner.h"
 #include "core/model/cluster_names.h"
+#include "core/model/training_digest.h"
 #include "core/numerics/parallel.h"
 #include "core/numerics/random.h"
 #include "core/numerics/series.h"
@@ -59,6 +58,7 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   }
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
 }
+
 /// Hours of training must not end in a model that nobody may read.
 void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options) {
   const auto count = static_cast<int>(series.size());
@@ -73,7 +73,6 @@ void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOpt
                               std::to_string(std::llround(values)) + " values, more than " +
                               std::to_string(kMostValues) + ": raise sample_period, or give fewer scales");
 }
-
 
 /// The scale that each shapelet of `model` was learned at.
 Eigen::VectorXf ScalesOf(const Model& model) {
@@ -159,26 +158,6 @@ Eigen::VectorXi TrainingLabels(const Training& training, const std::vector<Eigen
   return labels;
 }
 
-/// A name that tells models apart: a digest (FNV-1a) of what the classifier uses.
-std::string ModelDigest(const Model& model) {
-  std::uint64_t digest = 14695981039346656037ULL;
-  const auto add = [&digest](const Eigen::VectorXf& values) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-    for (std::size_t index = 0; index < static_cast<std::size_t>(values.size()) * sizeof(float); ++index) {
-      digest = (digest ^ bytes[index]) * 1099511628211ULL;
-    }
-  };
-  for (const Shapelet& shapelet : model.shapelets) add(shapelet.values);
-  for (const Cluster& cluster : model.clusters) {
-    add(cluster.centroid);
-    add(Eigen::VectorXf::Constant(1, cluster.novelty_limit));
-  }
-  add(Eigen::Vector3d(model.sample_period, model.flat_fraction, model.log_offset).cast<float>());
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << digest;
-  return text.str();
-}
-
 std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::VectorXf>& series,
                                                  const TrainerOptions& options, const ProgressCallback& progress) {
   bool cancelled = false;
@@ -213,7 +192,6 @@ Eigen::VectorXi VotedLabels(const Training& training, const Eigen::Ref<const Eig
     return KMeans(model.Features(distances), kmeans).labels;
   }
   const auto learned_voters = static_cast<int>(std::lround(kLearnedShare * options.voters));
-  CheckModelSize(series, options);
   const int random_voters = random_distances.cols() > 0 ? options.voters - learned_voters : 0;
   const std::vector<View> views{
       {model.Features(distances), ScalesOf(model), options.voters - random_voters, kLearnedExponent},
@@ -235,6 +213,7 @@ Training Train(const std::vector<Episode>& episodes, const TrainerOptions& optio
     series.push_back(episode.force);
     outcomes.push_back(episode.outcome);
   }
+  CheckModelSize(series, options);
 
   Training training;
   Model& model = training.model;
@@ -264,7 +243,7 @@ Training Train(const std::vector<Episode>& episodes, const TrainerOptions& optio
     model.clusters[index].label = names[index].substr(0, kLongestLabel);
   }
 
-  model.id = ModelDigest(model);
+  model.id = TrainingDigest(episodes, options);
   model.provenance.objective = options.learner.objective == Objective::kPaper ? "paper" : "contrastive";
   model.provenance.seed = options.seed;
   model.provenance.training_episodes = static_cast<int>(episodes.size());
