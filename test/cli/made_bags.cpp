@@ -98,6 +98,17 @@ std::string Make(const std::string& path, const MadeBag& content) {
 
 std::string CutEpisodes(const std::string& source, int count, const std::string& path) {
   const rosbag::Bag input(source, rosbag::bagmode::Read);
+std::string Merge(const std::vector<std::string>& bags, const std::string& path) {
+  rosbag::Bag output(path, rosbag::bagmode::Write);
+  for (const std::string& bag : bags) {
+    const rosbag::Bag input(bag, rosbag::bagmode::Read);
+    rosbag::View view(input);
+    for (const rosbag::MessageInstance& message : view) output.write(message.getTopic(), message.getTime(), message);
+  }
+  output.close();
+  return path;
+}
+
   rosbag::Bag output(path, rosbag::bagmode::Write);
   rosbag::View view(input, rosbag::TypeQuery("contact_shapelets/Episode"));
   for (const rosbag::MessageInstance& message : view) {

@@ -30,6 +30,9 @@ struct MadeBag {
 };
 
 /// Writes the bag and returns `path`.
+/// Copies all messages of the `bags` into one, and returns `path`.
+std::string Merge(const std::vector<std::string>& bags, const std::string& path);
+
 std::string Make(const std::string& path, const MadeBag& content);
 
 /// Copies the first `count` Episode messages of `source` to `path`, and returns `path`.

@@ -57,7 +57,7 @@ void TrainerNode::ReadParameters() {
 
 void TrainerNode::PublishModelFile(const std::string& path) {
   try {
-    model_publisher_.publish(ToMessage(LoadModel(path), ros::Time::now()));
+    model_publisher_.publish(ToMessage(LoadModel(path)));
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());
     SetState(DiagnosticStatus::ERROR, OneLine(error.what()));
@@ -145,12 +145,13 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
   go_on(last);
   training.model.provenance.sources = bags;
   SaveModel(output, training.model);
-  model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
+  model_publisher_.publish(ToMessage(training.model));
   result->model_id = training.model.id;
   result->episodes = static_cast<std::uint32_t>(episodes.size());
   const auto agreement = evaluation::CompareWithOutcomes(training.labels, episodes);
   if (agreement) result->rand_index = static_cast<float>(agreement->scores.rand_index);
   result->message = "trained on " + std::to_string(episodes.size()) + " episodes, saved in " + output;
+  training.model.provenance.trained = WallNow();
 }
 
 void TrainerNode::SetState(int level, const std::string& text) {

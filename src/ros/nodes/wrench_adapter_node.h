@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ros/adapters/flange_wrench.h"
-#include "ros/adapters/message_definition.h"
+#include "ros/messages/message_definition.h"
 
 namespace contact_shapelets {
 

@@ -31,6 +31,10 @@ class MessageDefinition {
   /// The text at `path`, a string that is not within an array. \throws std::runtime_error as Numbers() does.
   std::string Text(const std::string& path, const std::uint8_t* data, std::size_t size) const;
 
+  /// Looks whether a serialised message holds as much as it says: generated code takes memory for an array, of whatever
+  /// length it is said to be, before it looks. \throws std::runtime_error where the message ends early.
+  void CheckLengths(const std::uint8_t* data, std::size_t size) const;
+
  private:
   static constexpr int kAnyCount = -1;
 
