@@ -78,7 +78,8 @@ std::string Make(const std::string& path, const MadeBag& content) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   std::vector<WrenchWriter> writers;
   for (const std::string& topic : content.wrench_topics) writers.emplace_back(topic, content.flaw, &bag);
-  for (int sample = 0; sample < content.episodes * kCycle; ++sample) {
+  const int samples = content.episodes * kCycle - (content.cut_off ? kCycle / 2 : 0);
+  for (int sample = 0; sample < samples; ++sample) {
     // Uniform noise by hand: the distributions of the standard library differ between libraries.
     const double noise = 0.4 * (static_cast<double>(generator()) / 4294967296.0 - 0.5);
     const double force = Pulse(sample / kCycle % 3, static_cast<double>(sample % kCycle) / kRate) + noise;
@@ -87,6 +88,7 @@ std::string Make(const std::string& path, const MadeBag& content) {
   for (int episode = 0; episode < content.episodes; ++episode) {
     const double begin = kStart + 3.0 * episode + 0.1;
     if (content.triggers) WriteTrigger(begin, true, &bag);
+    if (content.cut_off && episode + 1 == content.episodes) break;
     if (content.triggers) WriteTrigger(begin + 2.4, false, &bag);
     std_msgs::String outcome;
     outcome.data = kOutcomes[static_cast<std::size_t>(episode % 3)];
@@ -96,8 +98,6 @@ std::string Make(const std::string& path, const MadeBag& content) {
   return path;
 }
 
-std::string CutEpisodes(const std::string& source, int count, const std::string& path) {
-  const rosbag::Bag input(source, rosbag::bagmode::Read);
 std::string Merge(const std::vector<std::string>& bags, const std::string& path) {
   rosbag::Bag output(path, rosbag::bagmode::Write);
   for (const std::string& bag : bags) {
@@ -109,6 +109,8 @@ std::string Merge(const std::vector<std::string>& bags, const std::string& path)
   return path;
 }
 
+std::string CutEpisodes(const std::string& source, int count, const std::string& path) {
+  const rosbag::Bag input(source, rosbag::bagmode::Read);
   rosbag::Bag output(path, rosbag::bagmode::Write);
   rosbag::View view(input, rosbag::TypeQuery("contact_shapelets/Episode"));
   for (const rosbag::MessageInstance& message : view) {

@@ -27,12 +27,13 @@ struct MadeBag {
   std::vector<std::string> wrench_topics{"/wrench"};
   bool triggers = true;  ///< episode_active around each push, 2.4 s
   bool outcomes = true;  ///< "sharp", "broad" and "double" after each push
+  bool cut_off = false;  ///< it ends in the middle of the last push
 };
 
-/// Writes the bag and returns `path`.
 /// Copies all messages of the `bags` into one, and returns `path`.
 std::string Merge(const std::vector<std::string>& bags, const std::string& path);
 
+/// Writes the bag and returns `path`.
 std::string Make(const std::string& path, const MadeBag& content);
 
 /// Copies the first `count` Episode messages of `source` to `path`, and returns `path`.

@@ -38,6 +38,10 @@ struct TrainerOptions {
   std::string Faults() const;
 };
 
+/// Takes the episodes that are not complete out of `episodes`, unless they are asked for: half a push, from the end of
+/// a bag, looks like another outcome. Returns how many it took.
+int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes);
+
 /// The set-up of the paper: one scale, attraction alone, diversity, length by the L1 norm, every window, K-means on the
 /// distances themselves. Equal to config/paper.yaml.
 TrainerOptions PaperOptions();

@@ -1,8 +1,9 @@
+#include <algorithm>
 #include <sstream>
 
 #include "contact_shapelets/core/trainer.h"
-
 #include "core/numerics/interval.h"
+
 namespace contact_shapelets::core {
 
 std::string TrainerOptions::Faults() const {
@@ -19,6 +20,15 @@ std::string TrainerOptions::Faults() const {
   check("voting_episodes", voting_episodes, {static_cast<double>(clusters), 50000});
   check("threads", threads, {0, 1024});
   return faults.str() + learner.Faults();
+}
+
+int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes) {
+  if (options.incomplete) return 0;
+  const auto kept = std::stable_partition(episodes->begin(), episodes->end(),
+                                          [](const Episode& episode) { return episode.complete; });
+  const auto taken = static_cast<int>(episodes->end() - kept);
+  episodes->erase(kept, episodes->end());
+  return taken;
 }
 
 TrainerOptions PaperOptions() {

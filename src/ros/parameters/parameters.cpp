@@ -236,6 +236,7 @@ core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   reader->Read("novelty_quantile", &options.novelty_quantile);
   reader->Read("novelty_margin", &options.novelty_margin);
   reader->Read("threads", &options.threads);
+  reader->Read("incomplete", &options.incomplete);
   reader->Read("seed", &options.seed);
   reader->Read("scales", &learner.scales);
   reader->Read("objective", kObjectives, &learner.objective);
@@ -261,7 +262,6 @@ ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
   return options;
 }
 
-void LogParameters(const ParameterReader& reader) {
 AdapterOptions ReadAdapterOptions(ParameterReader* reader) {
   AdapterOptions options;
   reader->Read("source", {{"wrench", false}, {"joint_torques", true}}, &options.from_torques);
@@ -274,6 +274,7 @@ AdapterOptions ReadAdapterOptions(ParameterReader* reader) {
   return options;
 }
 
+void LogParameters(const ParameterReader& reader) {
   for (const std::string& name : reader.Unread()) {
     // The updater of diagnostics has parameters of its own.
     if (name.rfind("diagnostic_", 0) != 0) ROS_WARN("~%s is not a parameter of this node", name.c_str());
