@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -14,6 +13,7 @@
 #include "cli/common.h"
 #include "cli/episode_table.h"
 #include "cli/text.h"
+#include "cli/text_output.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/bags/bag_damage.h"
 #include "ros/bags/output_file.h"
@@ -44,13 +44,12 @@ void WriteResult(const core::Episode& episode, const core::Classification& resul
   write(topics::kEvent, event);
 }
 
-/// Copies the bags into one, and adds features, diagnosis and event of each episode at its end. A failure
-/// leaves no file; what an interrupt leaves has the ending ".part" and a number.
+/// Copies the bags into one, and adds features, diagnosis and event of each episode at its end.
 void Annotate(const Arguments& arguments, const core::Model& model, const std::vector<core::Episode>& episodes,
               const std::vector<core::Classification>& results) {
-  const std::string temporary = TemporaryName(arguments.annotate);
   try {
-    rosbag::Bag output(temporary, rosbag::bagmode::Write);
+    OutputFile file(arguments.annotate);
+    rosbag::Bag output(file.unfinished(), rosbag::bagmode::Write);
     output.setCompression(rosbag::compression::LZ4);
     for (const std::string& path : arguments.bags.bags) {
       BagDamage damage(path);
@@ -64,9 +63,8 @@ void Annotate(const Arguments& arguments, const core::Model& model, const std::v
       WriteResult(episodes[index], results[index], model, &output);
     }
     output.close();
-    std::filesystem::rename(temporary, arguments.annotate);
+    file.Finish();
   } catch (const std::exception& error) {
-    std::remove(temporary.c_str());
     throw std::runtime_error(arguments.annotate + ": the annotated bag cannot be written: " + error.what());
   }
 }
@@ -93,15 +91,21 @@ void PrintEpisodes(const std::vector<core::Episode>& episodes, const std::vector
 
 void Classify(const Arguments& arguments) {
   Options options = ReadOptions(arguments.bags);
-  if (!arguments.csv.empty()) CheckOutput("--csv", arguments.csv, arguments.bags.bags);
-  if (!arguments.annotate.empty()) CheckOutput("--annotate", arguments.annotate, arguments.bags.bags);
+  std::vector<std::string> read = FilesRead(arguments.bags);
+  read.push_back(arguments.model);
+  if (!arguments.csv.empty()) CheckTextOutput("--csv", arguments.csv, read);
+  if (!arguments.annotate.empty()) CheckBagOutput("--annotate", arguments.annotate, read, {arguments.csv});
   const core::Classifier classifier(LoadModel(arguments.model));
   if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = classifier.model().sample_period;
   const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
   const std::vector<core::Classification> results = ClassifyAll(classifier, episodes, options.trainer.threads);
 
   PrintEpisodes(episodes, results);
-  if (!arguments.csv.empty()) WriteCsv(arguments.csv, episodes, results);
+  if (!arguments.csv.empty()) {
+    TextOutput csv(arguments.csv);
+    WriteCsv(episodes, results, csv.stream());
+    csv.Finish();
+  }
   if (!arguments.annotate.empty()) Annotate(arguments, classifier.model(), episodes, results);
   std::map<std::string, int> events;
   for (const core::Classification& result : results) ++events[result.diagnosis.event];

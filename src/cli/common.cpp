@@ -16,6 +16,12 @@ namespace contact_shapelets::cli {
 
 namespace po = boost::program_options;
 
+std::vector<std::string> FilesRead(const BagArguments& arguments) {
+  std::vector<std::string> files = arguments.bags;
+  files.insert(files.end(), arguments.configs.begin(), arguments.configs.end());
+  return files;
+}
+
 void AddBags(Command* command, std::vector<std::string>* bags) {
   command->places.add_options()("bags", po::value(bags)->required());
   command->positional.add("bags", -1);

@@ -19,6 +19,9 @@ struct BagArguments {
   std::vector<std::string> configs;
 };
 
+/// All files that a command with these reads: bags and parameter files.
+std::vector<std::string> FilesRead(const BagArguments& arguments);
+
 /// Adds the bags, as many as are given, to the places of a command.
 void AddBags(Command* command, std::vector<std::string>* bags);
 

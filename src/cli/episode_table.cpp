@@ -1,6 +1,5 @@
 #include "cli/episode_table.h"
 
-#include <fstream>
 #include <iomanip>
 #include <stdexcept>
 
@@ -46,24 +45,21 @@ Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results
   return clusters;
 }
 
-void WriteCsv(const std::string& path, const std::vector<core::Episode>& episodes,
-              const std::vector<core::Classification>& results) {
-  std::ofstream file(path);
-  file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
+void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
+              std::ostream* file) {
+  *file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
   const Eigen::Index shapelets = results.empty() ? 0 : results.front().features.distances.size();
-  for (Eigen::Index k = 0; k < shapelets; ++k) file << ",d" << k;
-  file << '\n' << std::setprecision(9);
+  for (Eigen::Index k = 0; k < shapelets; ++k) *file << ",d" << k;
+  *file << '\n' << std::setprecision(9);
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const core::Episode& episode = episodes[index];
     const core::Diagnosis& diagnosis = results[index].diagnosis;
-    file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
-         << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
-         << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
-    for (Eigen::Index k = 0; k < shapelets; ++k) file << ',' << results[index].features.distances[k];
-    file << '\n';
+    *file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
+          << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
+          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
+    for (Eigen::Index k = 0; k < shapelets; ++k) *file << ',' << results[index].features.distances[k];
+    *file << '\n';
   }
-  file.close();
-  if (!file) throw std::runtime_error(path + ": the CSV cannot be written");
 }
 
 }  // namespace contact_shapelets::cli

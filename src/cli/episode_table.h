@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <ostream>
 #include <vector>
 
 #include "contact_shapelets/core/classifier.h"
@@ -19,10 +19,10 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
 /// The nearest cluster of each result, novel or not: the partition that is scored.
 Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results);
 
-/// Writes one line per episode: episode_id, start [s], duration [s], samples, outcome, cluster, event,
+/// Writes to `file` one line per episode: episode_id, start [s], duration [s], samples, outcome, cluster, event,
 /// confidence, novelty, then the distance to every shapelet, d0 to dK-1. Texts with commas, quotes or line
-/// breaks are quoted (RFC 4180). \throws std::runtime_error where the file cannot be written.
-void WriteCsv(const std::string& path, const std::vector<core::Episode>& episodes,
-              const std::vector<core::Classification>& results);
+/// breaks are quoted (RFC 4180).
+void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
+              std::ostream* file);
 
 }  // namespace contact_shapelets::cli

@@ -14,6 +14,7 @@
 #include "cli/common.h"
 #include "cli/evaluation_report.h"
 #include "cli/text.h"
+#include "cli/text_output.h"
 #include "core/numerics/parallel.h"
 #include "evaluation/methods.h"
 #include "evaluation/protocol.h"
@@ -184,13 +185,19 @@ std::vector<std::string> CheckedMethods(const std::vector<std::string>& names) {
   return names;
 }
 
+std::vector<std::string> FilesRead(const Arguments& arguments) {
+  std::vector<std::string> files = FilesRead(arguments.bags);
+  files.insert(files.end(), arguments.test_bags.begin(), arguments.test_bags.end());
+  return files;
+}
+
 /// The exit status: 1 where results are missing for faults that were said.
 int RunEvaluation(const Arguments& arguments) {
   if (arguments.data.empty() && arguments.bags.bags.empty()) {
     throw UsageError("evaluate: expected --data or --bags, found neither");
   }
   const Options options = ReadOptions(arguments.bags);
-  if (!arguments.json.empty()) CheckOutput("--json", arguments.json, arguments.bags.bags);
+  if (!arguments.json.empty()) CheckTextOutput("--json", arguments.json, FilesRead(arguments));
   Faults faults;
   const std::vector<evaluation::DataSet> data_sets = ReadDataSets(arguments, options.reader, &faults);
   const std::vector<Task> tasks = MakeTasks(arguments, data_sets);
@@ -199,7 +206,11 @@ int RunEvaluation(const Arguments& arguments) {
   std::vector<std::string> names;
   for (const evaluation::DataSet& data_set : data_sets) names.push_back(data_set.name);
   if (!names.empty()) WriteMarkdown(results, names, arguments.methods, &std::cout);
-  if (!arguments.json.empty()) WriteJson(results, arguments.json);
+  if (!arguments.json.empty()) {
+    TextOutput json(arguments.json);
+    WriteJson(results, json.stream());
+    json.Finish();
+  }
   return faults.any() ? 1 : 0;
 }
 

@@ -132,22 +132,20 @@ void WriteMarkdown(const std::vector<evaluation::EvaluationResult>& results, con
       stream);
 }
 
-void WriteJson(const std::vector<evaluation::EvaluationResult>& results, const std::string& path) {
-  std::ofstream file(path);
+void WriteJson(const std::vector<evaluation::EvaluationResult>& results, std::ostream* stream) {
+  std::ostream& file = *stream;
   file << std::setprecision(9) << '[';
   for (std::size_t index = 0; index < results.size(); ++index) {
     const evaluation::EvaluationResult& result = results[index];
     file << (index == 0 ? "\n" : ",\n") << "  {\"dataset\": " << Quoted(result.data_set)
          << ", \"method\": " << Quoted(result.method) << ", \"seed\": " << result.seed;
-    WriteScores("train", result.train, &file);
-    WriteScores("test", result.test, &file);
-    WriteScores("test_anew", result.test_anew, &file);
+    WriteScores("train", result.train, stream);
+    WriteScores("test", result.test, stream);
+    WriteScores("test_anew", result.test_anew, stream);
     file << ", \"fit_seconds\": " << result.fit_seconds
          << ", \"transform_ms_per_series\": " << result.transform_ms_per_series << '}';
   }
   file << "\n]\n";
-  file.close();
-  if (!file) throw std::runtime_error(path + ": the JSON cannot be written");
 }
 
 }  // namespace contact_shapelets::cli

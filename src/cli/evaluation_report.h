@@ -15,7 +15,7 @@ namespace contact_shapelets::cli {
 void WriteMarkdown(const std::vector<evaluation::EvaluationResult>& results, const std::vector<std::string>& data_sets,
                    const std::vector<std::string>& methods, std::ostream* stream);
 
-/// Writes `results` as a JSON list. \throws std::runtime_error naming the file where it cannot be written.
-void WriteJson(const std::vector<evaluation::EvaluationResult>& results, const std::string& path);
+/// Writes `results` as a JSON list.
+void WriteJson(const std::vector<evaluation::EvaluationResult>& results, std::ostream* stream);
 
 }  // namespace contact_shapelets::cli

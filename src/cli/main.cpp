@@ -15,6 +15,7 @@
 #include "cli/text.h"
 #include "cli/train_command.h"
 #include "ros/bags/bag_damage.h"
+#include "ros/bags/output_file.h"
 #include "ros/messages/text.h"
 
 namespace {
@@ -66,6 +67,7 @@ int Run(const std::vector<Command>& commands, const std::vector<std::string>& ar
 }  // namespace
 
 int main(int argc, char** argv) {
+  const contact_shapelets::RemovalOnSignals removal;
   ros::Time::init();
   BagErrors bag_errors;
   try {

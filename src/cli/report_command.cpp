@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "cli/episode_table.h"
 #include "cli/report_page.h"
 #include "cli/text.h"
+#include "cli/text_output.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "core/numerics/series.h"
 #include "ros/bags/output_file.h"
@@ -53,16 +53,22 @@ void Report(const Arguments& arguments) {
   CreateFolder(arguments.folder);
   const std::string page_path = (std::filesystem::path(arguments.folder) / "index.html").string();
   const std::string table_path = (std::filesystem::path(arguments.folder) / "episodes.csv").string();
-  for (const std::string& path : {page_path, table_path}) CheckOutput("--out", path, contents.bags);
+  std::vector<std::string> read = FilesRead(arguments.bags);
+  read.push_back(arguments.model);
+  for (const std::string& path : {page_path, table_path}) CheckTextOutput("--out", path, read);
   contents.episodes = ReadBags(contents.bags, options.reader);
   contents.results = ClassifyAll(classifier, contents.episodes, options.trainer.threads);
   contents.series = SeriesOf(contents.episodes, contents.model.sample_period);
 
-  WriteCsv(table_path, contents.episodes, contents.results);
-  std::ofstream page(page_path);
-  page << ReportPage(contents);
-  page.close();
-  if (!page) throw std::runtime_error(page_path + ": the report cannot be written");
+  TextOutput table(table_path);
+  TextOutput page(page_path);
+  WriteCsv(contents.episodes, contents.results, table.stream());
+  *page.stream() << ReportPage(contents);
+  // A page goes with its table: neither is replaced where one of them cannot be.
+  table.Check();
+  page.Check();
+  table.Finish();
+  page.Finish();
   std::printf("%s in %s and %s\n", Count(contents.episodes.size(), "episode").c_str(), page_path.c_str(),
               table_path.c_str());
   PrintScores(contents.episodes, NearestClusters(contents.results));

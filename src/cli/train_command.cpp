@@ -11,6 +11,7 @@
 #include "cli/text.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/bags/output_file.h"
+#include "ros/messages/conversions.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -20,6 +21,7 @@ struct Arguments {
   std::string model;
   int clusters = 0;
   int seed = -1;
+  bool incomplete = false;
 };
 
 core::TrainingResult TrainWithProgress(const std::vector<core::Episode>& episodes, const Arguments& arguments,
@@ -72,12 +74,18 @@ void Train(const Arguments& arguments) {
   Options options = ReadOptions(arguments.bags);
   if (arguments.clusters > 0) options.trainer.clusters = arguments.clusters;
   if (arguments.seed >= 0) options.trainer.seed = static_cast<std::uint64_t>(arguments.seed);
-  CheckModelOutput("--model", arguments.model, arguments.bags.bags);
-  const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  if (arguments.incomplete) options.trainer.incomplete = true;
+  CheckModelOutput("--model", arguments.model, FilesRead(arguments.bags));
+  std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  if (const int incomplete = core::TakeIncomplete(options.trainer, &episodes); incomplete > 0) {
+    std::printf("Left out of the training as incomplete: %s (--incomplete takes them)\n",
+                Count(static_cast<std::size_t>(incomplete), "episode").c_str());
+  }
   const auto start = std::chrono::steady_clock::now();
   core::TrainingResult result = TrainWithProgress(episodes, arguments, options.trainer);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   result.model.provenance.sources = arguments.bags.bags;
+  result.model.provenance.trained = WallNow();
   SaveModel(arguments.model, result.model);
   PrintTraining(result, episodes, seconds);
   PrintClusters(result, episodes);
@@ -96,11 +104,14 @@ Command TrainCommand() {
   const auto arguments = std::make_shared<Arguments>();
   AddBagArguments(&command, &arguments->bags);
   command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file to write");
-  command.options.add_options()("clusters", po::value(&arguments->clusters)->notifier(InRange("--clusters", 2, 1000)),
-                                "Number of clusters (default: of the config, 3)");
+  command.options.add_options()(
+      "clusters", po::value(&arguments->clusters)->notifier(InRange("--clusters", 2, core::kMostClusters)),
+      "Number of clusters (default: of the config, 3)");
   command.options.add_options()(
       "seed", po::value(&arguments->seed)->notifier(InRange("--seed", 0, std::numeric_limits<int>::max())),
       "Equal seeds give equal models");
+  command.options.add_options()("incomplete", po::bool_switch(&arguments->incomplete),
+                                "Also learns from episodes that lack samples, such as half a push at a bag's end");
   command.run = [arguments] {
     Train(*arguments);
     return 0;

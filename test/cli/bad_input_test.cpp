@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <thread>
 
 #include "cli/made_bags.h"
@@ -36,7 +39,7 @@ class BadInputTest : public testing::Test {
       runs.emplace_back([&arguments] { EXPECT_EQ(RunShapelets(arguments).status, 0); });
     }
     for (std::thread& run : runs) run.join();
-    for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".part"), std::string::npos) << file;
+    for (const std::string& file : folder_.Files()) EXPECT_EQ(file.find(".unfinished"), std::string::npos) << file;
   }
 
   std::string Sound() { return Make(folder_ / "sound.bag", MadeBag()); }
@@ -150,7 +153,7 @@ TEST_F(BadInputTest, ModelOfAnotherMessageVersion) {
 TEST_F(BadInputTest, AllFaultsOfAParameterFileInOneLine) {
   const std::string config = WriteFile(folder_ / "bad.yaml", "clusters: 0\nsteps: many\nsample_period: 7\nstepps: 3\n");
   ExpectRefusal({"train", Sound(), "--model", model_, "--config", config}, 1,
-                {"bad.yaml", "clusters must be at least 2, but is 0", "steps must be a whole number, but is many",
+                {"bad.yaml", "clusters must be in [2, 1000], but is 0", "steps must be a whole number, but is many",
                  "sample_period must be in [0.0001, 1] s, but is 7", "stepps is not a parameter"});
 }
 
@@ -194,9 +197,118 @@ TEST_F(BadInputTest, RecordingIsNeverOverwrittenByAModel) {
   MadeBag content;
   content.episodes = 3;
   const std::string other = Make(folder_ / "other.bag", content);
-  ExpectRefusal({"train", recording, "--model", recording}, 1, {"sound.bag", "one of the bags that are read"});
+  ExpectRefusal({"train", recording, "--model", recording}, 1, {"sound.bag", "one of the files that are read"});
   ExpectRefusal({"train", other, "--model", recording}, 1, {"sound.bag", "found another bag"});
   EXPECT_EQ(ReadFile(recording), before);
+}
+
+TEST_F(BadInputTest, RecordingThatHoldsAModelIsNotOverwrittenEither) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::string recording = Merge({bag, model_}, folder_ / "recording.bag");
+  const std::string before = ReadFile(recording);
+  ExpectRefusal({"train", bag, "--model", recording, "--config", quick_}, 1, {"recording.bag", "found another bag"});
+  EXPECT_EQ(ReadFile(recording), before);
+}
+
+TEST_F(BadInputTest, NoOutputGoesToTheModelOrAnotherInput) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::string model = ReadFile(model_);
+  const std::string recording = ReadFile(bag);
+  mkdir((folder_ / "report").c_str(), 0700);
+  const std::string page = folder_ / "report/index.html";
+  ASSERT_EQ(symlink(model_.c_str(), page.c_str()), 0);
+  const std::vector<std::string> classify{"classify", bag, "--model", model_, "--config", quick_};
+  const auto with = [&classify](const std::string& option, const std::string& path) {
+    std::vector<std::string> arguments = classify;
+    arguments.insert(arguments.end(), {option, path});
+    return arguments;
+  };
+  for (const std::string& path : {model_, bag, quick_, page}) {
+    ExpectRefusal(with("--csv", path), 1, {"--csv", path, "one of the files that are read"});
+    ExpectRefusal(with("--annotate", path), 1, {"--annotate", path, "one of the files that are read"});
+  }
+  ExpectRefusal({"report", model_, bag, "--out", folder_ / "report"}, 1, {"index.html", "files that are read"});
+  ExpectRefusal({"train", bag, "--model", quick_, "--config", quick_}, 1, {"quick.yaml", "files that are read"});
+  EXPECT_EQ(ReadFile(model_), model);
+  EXPECT_EQ(ReadFile(bag), recording);
+}
+
+TEST_F(BadInputTest, TwoOutputsDoNotGoToOneFile) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  ExpectRefusal({"classify", bag, "--model", model_, "--csv", folder_ / "x", "--annotate", folder_ / "./x"}, 1,
+                {"--annotate", "another output goes to the same file"});
+  EXPECT_THROW(ReadFile(folder_ / "x"), std::runtime_error) << "one of them was written";
+}
+
+TEST_F(BadInputTest, ATableDoesNotReplaceABag) {
+  const std::string bag = Sound();
+  const std::string other = Make(folder_ / "other.bag", MadeBag());
+  const std::string before = ReadFile(other);
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  ExpectRefusal({"classify", bag, "--model", model_, "--csv", other}, 1, {"--csv", "there is a bag already"});
+  EXPECT_EQ(ReadFile(other), before);
+}
+
+TEST_F(BadInputTest, AFullDiskLeavesTheOldFiles) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::string report = folder_ / "report";
+  mkdir(report.c_str(), 0700);
+  const std::vector<std::string> outputs{folder_ / "table.csv", folder_ / "annotated.bag", report + "/index.html",
+                                         report + "/episodes.csv"};
+  for (const std::string& output : outputs) WriteFile(output, "as it was");
+  const std::vector<std::string> files = folder_.Files();
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"classify", bag, "--model", model_, "--csv", outputs[0]},
+        {"classify", bag, "--model", model_, "--annotate", outputs[1]},
+        {"report", model_, bag, "--out", report}}) {
+    // Enough for the episodes' table within the report, not for its page.
+    const ProgramRun run = RunShapeletsWithLittleSpace(arguments, arguments[0] == "report" ? 8192 : 300);
+    EXPECT_EQ(run.status, 1) << arguments[0];
+    EXPECT_NE(run.err.find("cannot be written"), std::string::npos) << run.err;
+  }
+  for (const std::string& output : outputs) EXPECT_EQ(ReadFile(output), "as it was") << output;
+  EXPECT_EQ(folder_.Files(), files);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(report), std::filesystem::directory_iterator()), 2);
+}
+
+TEST_F(BadInputTest, AnnotationEndedByASignalLeavesNothing) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::vector<std::string> files = folder_.Files();
+  // Long enough to be interrupted.
+  std::vector<std::string> arguments{"classify", "--model", model_, "--annotate", folder_ / "annotated.bag"};
+  arguments.insert(arguments.end(), 60, bag);
+  for (const int number : {SIGINT, SIGTERM}) {
+    ASSERT_TRUE(EndShapeletsOnceItWrites(arguments, folder_.path(), "annotated.bag", number)) << number;
+    EXPECT_EQ(folder_.Files(), files) << number;
+  }
+  ASSERT_TRUE(EndShapeletsOnceItWrites(arguments, folder_.path(), "annotated.bag", SIGKILL));
+  ASSERT_EQ(RunShapelets({"classify", bag, "--model", model_, "--annotate", folder_ / "annotated.bag"}).status, 0);
+  std::vector<std::string> after = files;
+  after.insert(std::lower_bound(after.begin(), after.end(), "annotated.bag"), "annotated.bag");
+  EXPECT_EQ(folder_.Files(), after) << "what a killed run left was not removed";
+}
+
+TEST_F(BadInputTest, EpisodesThatLackSamplesAreLeftOutOfTrainingUnlessAskedFor) {
+  // The last push goes on when the recording ends.
+  MadeBag content;
+  content.cut_off = true;
+  const std::string bag = Make(folder_ / "cut_off.bag", content);
+  const ProgramRun run = RunShapelets({"train", bag, "--model", model_, "--config", quick_});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("Left out of the training as incomplete: 1 episode"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("5 episodes of "), std::string::npos) << run.out;
+  const ProgramRun all = RunShapelets({"train", bag, "--model", model_, "--config", quick_, "--incomplete"});
+  ASSERT_EQ(all.status, 0) << all.err;
+  EXPECT_NE(all.out.find("6 episodes of "), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("Left out"), std::string::npos) << all.out;
+  const std::string config = WriteFile(folder_ / "incomplete.yaml", std::string(kQuick) + "incomplete: true\n");
+  EXPECT_NE(RunShapelets({"train", bag, "--model", model_, "--config", config}).out.find("6 episodes of "),
+            std::string::npos);
 }
 
 TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
@@ -255,7 +367,7 @@ TEST_F(BadInputTest, TrainingEndedByASignalLeavesTheOldModelAndNothingElse) {
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string before = ReadFile(model_);
   const std::vector<std::string> files = folder_.Files();
-  const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 100000000\nscales: [0.1, 0.3]\nthreads: 1\n");
+  const std::string endless = WriteFile(folder_ / "quick.yaml", "steps: 1000000\nscales: [0.1, 0.3]\nthreads: 1\n");
   for (const int number : {SIGKILL, SIGTERM, SIGINT}) {
     ASSERT_TRUE(EndShapeletsAfter({"train", bag, "--model", model_, "--config", endless}, "to go", number)) << number;
     EXPECT_EQ(ReadFile(model_), before) << number;

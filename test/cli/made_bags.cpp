@@ -78,7 +78,8 @@ std::string Make(const std::string& path, const MadeBag& content) {
   rosbag::Bag bag(path, rosbag::bagmode::Write);
   std::vector<WrenchWriter> writers;
   for (const std::string& topic : content.wrench_topics) writers.emplace_back(topic, content.flaw, &bag);
-  for (int sample = 0; sample < content.episodes * kCycle; ++sample) {
+  const int samples = content.episodes * kCycle - (content.cut_off ? kCycle / 2 : 0);
+  for (int sample = 0; sample < samples; ++sample) {
     // The distributions of standard libraries differ, so the noise is computed here.
     const double noise = 0.4 * (static_cast<double>(generator()) / 4294967296.0 - 0.5);
     const double force = Pulse(sample / kCycle % 3, static_cast<double>(sample % kCycle) / kRate) + noise;
@@ -87,12 +88,24 @@ std::string Make(const std::string& path, const MadeBag& content) {
   for (int episode = 0; episode < content.episodes; ++episode) {
     const double begin = kStart + 3.0 * episode + 0.1;
     if (content.triggers) WriteTrigger(begin, true, &bag);
+    if (content.cut_off && episode + 1 == content.episodes) break;
     if (content.triggers) WriteTrigger(begin + 2.4, false, &bag);
     std_msgs::String outcome;
     outcome.data = kOutcomes[static_cast<std::size_t>(episode % 3)];
     if (content.outcomes) bag.write("/outcome", ros::Time(begin + 2.6), outcome);
   }
   bag.close();
+  return path;
+}
+
+std::string Merge(const std::vector<std::string>& bags, const std::string& path) {
+  rosbag::Bag output(path, rosbag::bagmode::Write);
+  for (const std::string& bag : bags) {
+    const rosbag::Bag input(bag, rosbag::bagmode::Read);
+    rosbag::View view(input);
+    for (const rosbag::MessageInstance& message : view) output.write(message.getTopic(), message.getTime(), message);
+  }
+  output.close();
   return path;
 }
 

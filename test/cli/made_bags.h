@@ -27,7 +27,11 @@ struct MadeBag {
   std::vector<std::string> wrench_topics{"/wrench"};
   bool triggers = true;  ///< whether `episode_active` marks 2.4 s around each push
   bool outcomes = true;  ///< whether "sharp", "broad" or "double" follows each push
+  bool cut_off = false;  ///< whether it ends in the middle of the last push
 };
+
+/// Copies all messages of the `bags` into one, and returns `path`.
+std::string Merge(const std::vector<std::string>& bags, const std::string& path);
 
 /// Writes the bag and returns `path`.
 std::string Make(const std::string& path, const MadeBag& content);

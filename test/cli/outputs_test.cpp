@@ -86,6 +86,7 @@ TEST_F(OutputsTest, ModelNamesItsSources) {
   EXPECT_EQ(model.clusters.size(), 3U);
   EXPECT_EQ(model.provenance.sources, std::vector<std::string>{bag_});
   EXPECT_EQ(model.provenance.training_episodes, kEpisodes);
+  EXPECT_GT(model.provenance.trained, 0);
   const ProgramRun run = RunShapelets({"inspect", model_});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("model " + model.id), std::string::npos) << run.out;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,8 +29,10 @@ bool HeedPermissions() {
   return true;
 }
 
-/// Starts the program with these descriptors as its stdout and stderr.
-pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
+constexpr rlim_t kNoLimit = RLIM_INFINITY;
+
+/// Starts the program with these descriptors as its stdout and stderr, and with a limit on the size of its files.
+pid_t Start(const std::vector<std::string>& arguments, int out, int err, rlim_t limit = kNoLimit) {
   std::vector<std::string> words{SHAPELETS_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -39,6 +42,8 @@ pid_t Start(const std::vector<std::string>& arguments, int out, int err) {
   if (child < 0) throw std::runtime_error("cannot start a process");
   if (child == 0) {
     if (!HeedPermissions()) _exit(126);
+    const rlimit size{limit, RLIM_INFINITY};
+    if (limit != kNoLimit && (setrlimit(RLIMIT_FSIZE, &size) != 0 || signal(SIGXFSZ, SIG_IGN) == SIG_ERR)) _exit(125);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     execv(pointers.front(), pointers.data());
@@ -54,11 +59,11 @@ int OpenForWriting(const std::string& path) {
 }
 
 /// Runs the program with its stdout in a file; ProgramRun::out stays empty.
-ProgramRun RunInto(const std::string& path, const std::vector<std::string>& arguments) {
+ProgramRun RunInto(const std::string& path, const std::vector<std::string>& arguments, rlim_t limit = kNoLimit) {
   const TemporaryFolder folder;
   const int out = OpenForWriting(path);
   const int err = OpenForWriting(folder / "err");
-  const pid_t child = Start(arguments, out, err);
+  const pid_t child = Start(arguments, out, err, limit);
   close(out);
   close(err);
   int status = 0;
@@ -77,6 +82,28 @@ ProgramRun RunShapelets(const std::vector<std::string>& arguments) {
 
 ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments) {
   return RunInto("/dev/full", arguments);
+}
+
+ProgramRun RunShapeletsWithLittleSpace(const std::vector<std::string>& arguments, unsigned long bytes) {
+  return RunInto("/dev/null", arguments, bytes);
+}
+
+bool EndShapeletsOnceItWrites(const std::vector<std::string>& arguments, const std::string& folder,
+                              const std::string& start, int number) {
+  const int nowhere = OpenForWriting("/dev/null");
+  const pid_t child = Start(arguments, nowhere, nowhere);
+  close(nowhere);
+  int status = 0;
+  const auto writes = [&] {
+    return std::any_of(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(),
+                       [&](const auto& entry) { return entry.path().filename().string().rfind(start, 0) == 0; });
+  };
+  while (!writes()) {
+    if (waitpid(child, &status, WNOHANG) == child) return false;
+  }
+  kill(child, number);
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status);
 }
 
 bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number) {

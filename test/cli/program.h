@@ -24,6 +24,14 @@ ProgramRun RunShapelets(const std::vector<std::string>& arguments);
 /// Runs it with a full device as its stdout.
 ProgramRun RunShapeletsWithoutSpace(const std::vector<std::string>& arguments);
 
+/// Runs it with no file allowed to grow beyond `bytes`: what is left of a disk that is full.
+ProgramRun RunShapeletsWithLittleSpace(const std::vector<std::string>& arguments, unsigned long bytes);
+
+/// Starts `shapelets`, waits until there is a file in `folder` whose name begins with `start`, and sends it the signal
+/// `number`. Returns true if the signal ended it.
+bool EndShapeletsOnceItWrites(const std::vector<std::string>& arguments, const std::string& folder,
+                              const std::string& start, int number);
+
 /// Starts `shapelets`, waits until it has written `text` to stderr, and sends it the signal `number`. Returns true if
 /// the signal ended it.
 bool EndShapeletsAfter(const std::vector<std::string>& arguments, const std::string& text, int number);
@@ -38,6 +46,7 @@ class TemporaryFolder {
 
   /// The path of a file in it.
   std::string operator/(const std::string& name) const { return path_ + "/" + name; }
+  const std::string& path() const { return path_; }
   /// Names of all files in it, in alphabetical order.
   std::vector<std::string> Files() const;
 

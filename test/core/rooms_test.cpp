@@ -40,8 +40,8 @@ const std::map<std::string, int>& Heights() {
   static const std::map<std::string, int> heights{
       {"core/numerics", 0}, {"core/stream", 1}, {"core/matching", 1},  {"core/clustering", 1},
       {"core/learning", 2}, {"core/model", 3},  {"evaluation", 4},     {"ros/messages", 5},
-      {"ros/adapters", 6},  {"ros/bags", 6},    {"ros/parameters", 6}, {"ros/nodes", 7},
-      {"nodes", 8},         {"cli", 8},
+      {"ros/adapters", 6},  {"ros/bags", 6},    {"ros/parameters", 7}, {"ros/nodes", 8},
+      {"nodes", 9},         {"cli", 9},
   };
   return heights;
 }

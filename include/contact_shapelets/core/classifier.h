@@ -41,7 +41,8 @@ class Classifier {
   /// The same with `memory` of the caller, who keeps it for the next episode. Each thread needs its own.
   Classification Classify(const Episode& episode, FeatureMemory* memory) const;
 
-  /// Sets the label of a cluster. \throws std::invalid_argument if there is no such cluster or the label is empty.
+  /// Sets the label of a cluster. \throws std::invalid_argument if there is no such cluster, or the label is empty or
+  /// longer than kLongestLabel.
   void NameCluster(int cluster, const std::string& label);
 
   /// The model in use.

@@ -6,17 +6,27 @@
 #include <vector>
 
 #include "contact_shapelets/core/shapelet.h"
+#include "contact_shapelets/core/time.h"
 
 /// \file
 /// A trained model: what a classifier needs, and how it was trained. Values as in ShapeletModel.msg.
 
 namespace contact_shapelets::core {
 
+/// What a model holds at the most: a faulty file must not take the memory, nor the time, of those who read it.
+constexpr int kMostShapelets = 10'000;
+constexpr int kMostClusters = 1'000;
+constexpr int kMostValues = 10'000'000;      ///< of all shapelets together, and of all centroids together
+constexpr int kGreatestReach = 6'000'000;    ///< [samples] of one shapelet: 600 s at the shortest sample period
+constexpr std::size_t kLongestLabel = 200;   ///< [bytes] of a cluster's name, an id or an objective
+constexpr std::size_t kLongestPath = 4'096;  ///< [bytes] of a source
+constexpr std::size_t kMostSources = 100'000;
+
 /// One cluster in feature space.
 struct Cluster {
-  Eigen::VectorXf centroid;    ///< [K], see Model::Features()
-  float novelty_limit = 0.0F;  ///< above 0; an episode farther from the centroid fits no cluster
-  int size = 0;                ///< number of training episodes in it
+  Eigen::VectorXf centroid;    ///< [K], see Model::Features(), each value in [-100, 100]
+  float novelty_limit = 0.0F;  ///< [1e-6, 1e9]; an episode farther from the centroid fits no cluster
+  int size = 0;                ///< number of training episodes in it, at least 0
   std::string label;           ///< the event's name; empty if it has none yet
 };
 
@@ -24,10 +34,11 @@ struct Cluster {
 struct Provenance {
   std::vector<std::string> sources;     ///< bag files
   std::string objective;                ///< "contrastive" or "paper"
-  std::vector<double> selected_scales;  ///< the scale of each bank, as a part of the median episode
+  std::vector<double> selected_scales;  ///< the scale of each bank, as a part of the median episode, each in (0, 1)
   std::uint64_t seed = 0;               ///< TrainerOptions::seed
-  int training_episodes = 0;            ///< N
-  double typical_duration = 0.0;        ///< [s] median duration of the training episodes
+  int training_episodes = 0;            ///< N, at least 0
+  double typical_duration = 0.0;        ///< [s] median duration of the training episodes, [0, 1e7]
+  Nanoseconds trained = 0;              ///< when the training ended, on the machine's clock; 0: not known
 };
 
 /// Shapelets and clusters.
@@ -35,7 +46,7 @@ struct Model {
   std::string id;                   ///< unique
   double sample_period = 0.0;       ///< [s] sample period of the training episodes
   double flat_fraction = 0.3;       ///< windows under this part of the episode's standard deviation never match, [0, 1)
-  double log_offset = 0.05;         ///< see Features(), [0, 1]
+  double log_offset = 0.05;         ///< see Features(), 0 or [1e-6, 1]
   std::vector<Shapelet> shapelets;  ///< [K], one feature each
   std::vector<Cluster> clusters;    ///< [C]
   Provenance provenance;            ///< how it was trained
@@ -47,7 +58,8 @@ struct Model {
   /// Returns the event that `cluster` stands for: its label, "cluster_<index>" if it has none, "unknown" for -1.
   std::string EventOf(int cluster) const;
 
-  /// Returns every fault of the model, one per line; an empty string if the model is valid.
+  /// Returns every fault of the model, one per line; an empty string if the model is valid. Bounds are those of the
+  /// fields above.
   std::string Faults() const;
 };
 

@@ -19,26 +19,31 @@ namespace contact_shapelets::core {
 
 /// Parameters of TrainModel().
 struct TrainerOptions {
-  int clusters = 3;        ///< number of clusters C, at least 2
+  int clusters = 3;        ///< number of clusters C, [2, kMostClusters]
   LearnerOptions learner;  ///< parameters of the shapelet banks
   /// True: cluster on the logarithm of the distances. False: on the distances, as the paper does.
   bool log_distances = true;
-  int kmeans_restarts = 20;  ///< starts of the K-means that the decision begins with, at least 1
-  /// Voters on the clusters, at least 0. Most see distances to the learned shapelets, the others to random shapelets.
+  int kmeans_restarts = 20;  ///< starts of the K-means that the decision begins with, [1, 1000]
+  /// Voters on the clusters, [0, 2000]. Most see distances to the learned shapelets, the others to random shapelets.
   /// 0: one K-means on the learned shapelets decides.
   int voters = 200;
-  int random_shapelets = 1000;  ///< random shapelets that vote beside the learned ones, at least 0
-  /// Greatest number of episodes to vote on, at least `clusters`. Of more episodes, this many are drawn; the others go
+  int random_shapelets = 1000;  ///< random shapelets that vote beside the learned ones, [0, 10000]
+  /// Greatest number of episodes to vote on, [clusters, 50000]. Of more episodes, this many are drawn; the others go
   /// to the nearest centroid of these.
   int voting_episodes = 5000;
+  bool incomplete = false;        ///< learn from episodes that lack samples as well; see TakeIncomplete()
   double novelty_quantile = 1.0;  ///< part of a cluster's training episodes that its novelty limit covers, (0, 1]
-  double novelty_margin = 1.5;    ///< factor on that limit, at least 1
-  int threads = 0;                ///< at least 0; 0: as many as the machine has; the result does not depend on it
+  double novelty_margin = 1.5;    ///< factor on that limit, [1, 1000]
+  int threads = 0;                ///< [0, 1024]; 0: as many as the machine has; the result does not depend on it
   std::uint64_t seed = 0;         ///< equal seeds give equal models
 
   /// Returns one line for each invalid parameter, with its name and range; an empty string if all values are valid.
   std::string Faults() const;
 };
+
+/// Removes the episodes that are not complete from `episodes`, unless `options` ask for them: half a push, from the end
+/// of a bag, looks like another outcome. Returns how many it removed.
+int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes);
 
 /// Returns the set-up of the paper: one scale, attraction alone, diversity, length by the L1 norm, every window,
 /// K-means on the distances themselves. Equal to config/paper.yaml.

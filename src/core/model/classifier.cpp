@@ -74,6 +74,10 @@ void Classifier::NameCluster(int cluster, const std::string& label) {
                                 std::to_string(model_.clusters.size() - 1));
   }
   if (label.empty()) throw std::invalid_argument("the label of cluster " + std::to_string(cluster) + " is empty");
+  if (label.size() > kLongestLabel) {
+    throw std::invalid_argument("the label of cluster " + std::to_string(cluster) + " has more than " +
+                                std::to_string(kLongestLabel) + " bytes");
+  }
   model_.clusters[static_cast<std::size_t>(cluster)].label = label;
 }
 

@@ -1,23 +1,34 @@
+#include <algorithm>
 #include <sstream>
 
 #include "contact_shapelets/core/trainer.h"
+#include "core/numerics/interval.h"
 
 namespace contact_shapelets::core {
 
 std::string TrainerOptions::Faults() const {
   std::ostringstream faults;
-  const auto require = [&faults](bool well, const char* name, const char* range, double value) {
-    if (!well) faults << name << " must be " << range << ", but is " << value << '\n';
+  const auto check = [&faults](const char* name, double value, const Interval& interval) {
+    CheckRange(name, value, interval, &faults);
   };
-  require(clusters >= 2, "clusters", "at least 2", clusters);
-  require(kmeans_restarts >= 1, "kmeans_restarts", "at least 1", kmeans_restarts);
-  require(novelty_quantile > 0.0 && novelty_quantile <= 1.0, "novelty_quantile", "in (0, 1]", novelty_quantile);
-  require(novelty_margin >= 1.0, "novelty_margin", "at least 1", novelty_margin);
-  require(voters >= 0, "voters", "at least 0", voters);
-  require(random_shapelets >= 0, "random_shapelets", "at least 0", random_shapelets);
-  require(voting_episodes >= clusters, "voting_episodes", "at least the number of clusters", voting_episodes);
-  require(threads >= 0, "threads", "at least 0", threads);
+  check("clusters", clusters, {2, kMostClusters});
+  check("kmeans_restarts", kmeans_restarts, {1, 1000});
+  check("novelty_quantile", novelty_quantile, {0, 1, true});
+  check("novelty_margin", novelty_margin, {1, 1000});
+  check("voters", voters, {0, 2000});
+  check("random_shapelets", random_shapelets, {0, 10000});
+  check("voting_episodes", voting_episodes, {static_cast<double>(clusters), 50000});
+  check("threads", threads, {0, 1024});
   return faults.str() + learner.Faults();
+}
+
+int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes) {
+  if (options.incomplete) return 0;
+  const auto kept = std::stable_partition(episodes->begin(), episodes->end(),
+                                          [](const Episode& episode) { return episode.complete; });
+  const auto taken = static_cast<int>(episodes->end() - kept);
+  episodes->erase(kept, episodes->end());
+  return taken;
 }
 
 TrainerOptions PaperOptions() {

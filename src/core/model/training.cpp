@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +9,7 @@
 #include "core/clustering/kmeans.h"
 #include "core/learning/learner.h"
 #include "core/model/cluster_names.h"
+#include "core/model/training_digest.h"
 #include "core/numerics/parallel.h"
 #include "core/numerics/random.h"
 #include "core/numerics/series.h"
@@ -58,6 +57,21 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
     all_flat = all_flat && (steady || ZNormalised(episode.force).isZero());
   }
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
+}
+
+/// Hours of training must not end in a model that nobody may read.
+void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options) {
+  const auto count = static_cast<int>(series.size());
+  const int typical_length = MedianLength(series);
+  double values = 0.0;
+  for (const double scale : options.learner.scales) {
+    const int length = std::max(options.learner.shortest, static_cast<int>(scale * typical_length));
+    values += static_cast<double>(length) * ShapeletCount(count, typical_length, length, options.clusters);
+  }
+  if (values <= kMostValues) return;
+  throw std::invalid_argument("episodes of " + std::to_string(typical_length) + " samples (median) give shapelets of " +
+                              std::to_string(std::llround(values)) + " values, more than " +
+                              std::to_string(kMostValues) + ": raise sample_period, or give fewer scales");
 }
 
 /// The scale that each shapelet of `model` was learned at.
@@ -144,26 +158,6 @@ Eigen::VectorXi TrainingLabels(const Training& training, const std::vector<Eigen
   return labels;
 }
 
-/// A name that tells models apart: a digest (FNV-1a) of what the classifier uses.
-std::string ModelDigest(const Model& model) {
-  std::uint64_t digest = 14695981039346656037ULL;
-  const auto add = [&digest](const Eigen::VectorXf& values) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-    for (std::size_t index = 0; index < static_cast<std::size_t>(values.size()) * sizeof(float); ++index) {
-      digest = (digest ^ bytes[index]) * 1099511628211ULL;
-    }
-  };
-  for (const Shapelet& shapelet : model.shapelets) add(shapelet.values);
-  for (const Cluster& cluster : model.clusters) {
-    add(cluster.centroid);
-    add(Eigen::VectorXf::Constant(1, cluster.novelty_limit));
-  }
-  add(Eigen::Vector3d(model.sample_period, model.flat_fraction, model.log_offset).cast<float>());
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << digest;
-  return text.str();
-}
-
 std::vector<ShapeletBank> LearnBanksWithProgress(const std::vector<Eigen::VectorXf>& series,
                                                  const TrainerOptions& options, const ProgressCallback& progress) {
   bool cancelled = false;
@@ -219,6 +213,7 @@ Training Train(const std::vector<Episode>& episodes, const TrainerOptions& optio
     series.push_back(episode.force);
     outcomes.push_back(episode.outcome);
   }
+  CheckModelSize(series, options);
 
   Training training;
   Model& model = training.model;
@@ -244,9 +239,11 @@ Training Train(const std::vector<Episode>& episodes, const TrainerOptions& optio
   report(kVoted);
   model.clusters = FormClusters(model.Features(distances), training.labels, options);
   const std::vector<std::string> names = NameClusters(training.labels, outcomes, options.clusters);
-  for (std::size_t index = 0; index < names.size(); ++index) model.clusters[index].label = names[index];
+  for (std::size_t index = 0; index < names.size(); ++index) {
+    model.clusters[index].label = names[index].substr(0, kLongestLabel);
+  }
 
-  model.id = ModelDigest(model);
+  model.id = TrainingDigest(episodes, options);
   model.provenance.objective = options.learner.objective == Objective::kPaper ? "paper" : "contrastive";
   model.provenance.seed = options.seed;
   model.provenance.training_episodes = static_cast<int>(episodes.size());

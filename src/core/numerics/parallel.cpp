@@ -10,9 +10,9 @@
 
 namespace contact_shapelets::core {
 
-int ThreadCount(int requested) {
+int ThreadCount(int requested, int spare) {
   if (requested > 0) return requested;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - spare);
 }
 
 void ParallelFor(int count, int threads, const std::function<void(int)>& work) {

@@ -7,8 +7,9 @@
 
 namespace contact_shapelets::core {
 
-/// Returns `requested`, or the number of threads that the machine runs at the same time if `requested` is 0.
-int ThreadCount(int requested);
+/// Returns `requested`; if it is 0, the number of threads that the machine runs at the same time less `spare`, at
+/// least 1.
+int ThreadCount(int requested, int spare = 0);
 
 /// Calls `work(index)` for every index in 0 ... count - 1, spread over `threads` threads. Calls must not depend on each
 /// other; then the result is the same for any number of threads. If a call throws, no further calls begin, and this

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ros/adapters/message_definition.h"
+#include "ros/messages/message_definition.h"
 
 namespace contact_shapelets {
 

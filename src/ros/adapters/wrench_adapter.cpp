@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/numerics/interval.h"
+
 namespace contact_shapelets {
 namespace {
 
@@ -58,7 +60,7 @@ Eigen::VectorXd InArmOrder(const ArmChain& arm, const std::vector<std::string>& 
 
 std::string WrenchAdapterOptions::Faults() const {
   std::ostringstream faults;
-  if (!(damping >= 0.0)) faults << "damping must be at least 0, but is " << damping << '\n';
+  core::CheckRange("damping", damping, {0, 100}, &faults);
   if (from_torques && base_link.empty()) faults << "base_link must name a link of the robot, but is empty\n";
   if (from_torques && tip_link.empty()) faults << "tip_link must name a link of the robot, but is empty\n";
   return faults.str();

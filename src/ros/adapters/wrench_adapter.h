@@ -10,21 +10,9 @@
 
 #include "ros/adapters/arm_chain.h"
 #include "ros/adapters/message_reader.h"
+#include "ros/adapters/wrench_adapter_options.h"
 
 namespace contact_shapelets {
-
-/// What a driver's messages hold, and where.
-struct WrenchAdapterOptions {
-  bool from_torques = false;  ///< the messages hold external torques of joints, not a wrench
-  std::string field;          ///< path of the numbers; empty: the first geometry_msgs/Wrench, or external_torques.data
-  std::string frame_id;       ///< of the wrench; empty: the message's, or tip_link for torques
-  double damping = 0.05;      ///< of the pseudo-inverse near singular poses, at least 0
-  std::string base_link;      ///< for torques: the link of the URDF that the arm stands on
-  std::string tip_link;       ///< for torques: the link of the URDF at which the wrench is given
-
-  /// Every option that is out of range, one line each; empty if all are valid.
-  std::string Faults() const;
-};
 
 /// Makes a WrenchStamped of the messages of a driver that has none, off the wire or out of a bag. Messages are read by
 /// the definition that comes with them, so that no driver's package is needed. Torques become a wrench by joint

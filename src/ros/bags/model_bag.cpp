@@ -1,47 +1,55 @@
 #include "contact_shapelets/ros/model_bag.h"
 
-#include <fcntl.h>
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
-#include <unistd.h>
 
-#include <cstdio>
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include "ros/bags/bag_topics.h"
+#include "ros/bags/file_lock.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/message_definition.h"
 #include "ros/messages/text.h"
 #include "ros/messages/topics.h"
 
 namespace contact_shapelets {
 namespace {
 
-/// Waits until the file is on the disk, so that a rename never leaves an empty one behind.
-void Synchronise(const std::string& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY);
-  if (descriptor < 0) throw std::runtime_error(path + ": cannot be opened again");
-  const bool well = fsync(descriptor) == 0;
-  close(descriptor);
-  if (!well) throw std::runtime_error(path + ": cannot be written to the disk");
+/// \throws std::exception saying why not.
+void Write(const std::string& path, const core::Model& model) {
+  const std::string faults = model.Faults();
+  if (!faults.empty()) throw std::invalid_argument("it could not be used: " + faults);
+  OutputFile file(path);
+  const ros::WallTime now = ros::WallTime::now();
+  rosbag::Bag bag(file.unfinished(), rosbag::bagmode::Write);
+  // Compressed for its checksum: a damaged model is refused instead of being believed.
+  bag.setCompression(rosbag::compression::LZ4);
+  bag.write(topics::kModel, ros::Time(now.sec, now.nsec), ToMessage(model));
+  bag.close();
+  file.Finish();
+}
+
+/// \throws std::runtime_error where the message says of an array that it is longer than the message.
+void CheckLengths(const rosbag::MessageInstance& instance) {
+  std::vector<std::uint8_t> bytes(instance.size());
+  ros::serialization::OStream stream(bytes.data(), instance.size());
+  instance.write(stream);
+  const MessageDefinition definition(ros::message_traits::datatype<ShapeletModel>(),
+                                     ros::message_traits::definition<ShapeletModel>());
+  definition.CheckLengths(bytes.data(), bytes.size());
 }
 
 }  // namespace
 
 void SaveModel(const std::string& path, const core::Model& model) {
-  const std::string temporary = TemporaryName(path);
   try {
-    const ros::WallTime now = ros::WallTime::now();
-    const ros::Time stamp(now.sec, now.nsec);
-    rosbag::Bag bag(temporary, rosbag::bagmode::Write);
-    // Compressed for its checksum: a damaged model is refused instead of being believed.
-    bag.setCompression(rosbag::compression::LZ4);
-    bag.write(topics::kModel, stamp, ToMessage(model, stamp));
-    bag.close();
-    Synchronise(temporary);
-    if (std::rename(temporary.c_str(), path.c_str()) != 0) throw std::runtime_error("it cannot be replaced");
+    // Names are not put into the old model while it is replaced.
+    const FileLock lock(path);
+    Write(path, model);
   } catch (const std::exception& error) {
-    std::remove(temporary.c_str());
     throw std::runtime_error(path + ": the model cannot be written: " + OneLine(error.what()));
   }
 }
@@ -53,16 +61,38 @@ core::Model LoadModel(const std::string& path) {
     rosbag::View view(bag, rosbag::TypeQuery("contact_shapelets/ShapeletModel"));
     if (view.size() != 1) throw std::invalid_argument("it holds " + std::to_string(view.size()) + " of them");
     const rosbag::MessageInstance instance = *view.begin();
-    const ShapeletModel::ConstPtr message = instance.instantiate<ShapeletModel>();
-    if (!message) {
+    if (instance.getMD5Sum() != ros::message_traits::md5sum<ShapeletModel>()) {
       throw std::invalid_argument("its message is of another version (MD5 " + instance.getMD5Sum() + ", expected " +
                                   ros::message_traits::md5sum<ShapeletModel>() + ")");
     }
-    return FromMessage(*message);
+    CheckLengths(instance);
+    return FromMessage(*instance.instantiate<ShapeletModel>());
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": expected a bag with one contact_shapelets/ShapeletModel, but " +
                              OneLine(error.what()));
   }
+}
+
+core::Model NameClustersInFile(const std::string& path, const std::string& model_id,
+                               const std::map<int, std::string>& names) {
+  const FileLock lock(path);
+  core::Model model = LoadModel(path);
+  // A training may have put another model there, which these names do not fit.
+  if (model.id != model_id) {
+    throw std::runtime_error(path + " holds another model, " + model.id + ", expected " + model_id);
+  }
+  for (const auto& [cluster, name] : names) {
+    if (cluster < 0 || cluster >= static_cast<int>(model.clusters.size())) {
+      throw std::runtime_error(path + ": there is no cluster " + std::to_string(cluster));
+    }
+    model.clusters[static_cast<std::size_t>(cluster)].label = name;
+  }
+  try {
+    Write(path, model);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(path + ": the model cannot be written: " + OneLine(error.what()));
+  }
+  return model;
 }
 
 }  // namespace contact_shapelets

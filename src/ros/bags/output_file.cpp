@@ -1,45 +1,177 @@
 #include "ros/bags/output_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <stdexcept>
-
-#include "ros/bags/bag_topics.h"
 
 namespace contact_shapelets {
 
 namespace filesystem = std::filesystem;
 
-void CheckOutput(const std::string& what, const std::string& path, const std::vector<std::string>& bags) {
-  std::error_code ignored;
+namespace {
+
+constexpr char kEnding[] = ".unfinished";
+
+/// What a signal has to remove. It is the process's, as signals are.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<std::string> paths;
+  std::atomic<bool> ending{false};
+};
+
+Unfinished& TheUnfinished() {
+  static Unfinished unfinished;
+  return unfinished;
+}
+
+std::runtime_error SystemError() { return std::runtime_error(std::strerror(errno)); }
+
+/// Whether `descriptor` still is what `path` names.
+bool IsAt(const std::string& path, int descriptor) {
+  struct stat by_path {};
+  struct stat by_descriptor {};
+  return stat(path.c_str(), &by_path) == 0 && fstat(descriptor, &by_descriptor) == 0 &&
+         by_path.st_ino == by_descriptor.st_ino && by_path.st_dev == by_descriptor.st_dev;
+}
+
+/// The names of unfinished files of `path` that are there, finished or not, of any process.
+std::vector<std::string> UnfinishedOf(const std::string& path) {
   const filesystem::path folder = filesystem::path(path).parent_path();
-  const std::string folder_name = folder.empty() ? "." : folder.string();
-  const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(what + (path.empty() ? "" : " ") + path + ": " + why);
-  };
-  if (path.empty()) refuse("expected the path of a file to write, but it is empty");
-  if (!filesystem::is_directory(folder_name, ignored)) refuse("there is no folder " + folder_name);
-  if (filesystem::is_directory(path, ignored)) refuse("expected a file, but it is a folder");
-  if (access(folder_name.c_str(), W_OK) != 0) refuse("the folder " + folder_name + " cannot be written to");
-  if (filesystem::exists(path, ignored) && access(path.c_str(), W_OK) != 0) refuse("it is there, and write-protected");
-  for (const std::string& bag : bags) {
-    if (filesystem::equivalent(path, bag, ignored)) refuse("it is one of the bags that are read; choose another name");
-  }
-}
-
-void CheckModelOutput(const std::string& what, const std::string& path, const std::vector<std::string>& bags) {
-  CheckOutput(what, path, bags);
+  const std::string start = filesystem::path(path).filename().string() + kEnding;
+  std::vector<std::string> found;
   std::error_code ignored;
-  if (!filesystem::exists(path, ignored)) return;
-  rosbag::Bag bag;
-  OpenBag(path, &bag, "a new file or an older model");
-  if (BagTopics(bag).OfType("contact_shapelets/ShapeletModel").empty()) {
-    throw std::runtime_error(what + ' ' + path + ": expected a new file or an older model, but found another bag; " +
-                             "choose another name");
+  for (const auto& entry : filesystem::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool numbered = name.size() > start.size() && name.compare(0, start.size(), start) == 0 &&
+                          name.find_first_not_of("0123456789_", start.size()) == std::string::npos;
+    if (numbered) found.push_back((folder / name).string());
+  }
+  return found;
+}
+
+/// Removes what processes left that do not live any more: nobody holds its lock.
+void RemoveLeftOvers(const std::string& path) {
+  for (const std::string& name : UnfinishedOf(path)) {
+    const int descriptor = open(name.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && IsAt(name, descriptor)) unlink(name.c_str());
+    close(descriptor);
   }
 }
 
-std::string TemporaryName(const std::string& path) { return path + ".part" + std::to_string(getpid()); }
+/// Makes a new file, locks it, and returns its descriptor; `name` becomes the name.
+int MakeUnfinished(const std::string& path, std::string* name) {
+  const std::string start = path + kEnding + std::to_string(getpid());
+  for (int count = 0;; ++count) {
+    *name = count == 0 ? start : start + '_' + std::to_string(count);
+    const int descriptor = open(name->c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0 && errno != EEXIST) throw SystemError();
+    if (descriptor < 0) continue;
+    flock(descriptor, LOCK_EX);
+    // Before it was locked, another process may have taken it for left over.
+    if (IsAt(*name, descriptor)) return descriptor;
+    close(descriptor);
+  }
+}
+
+std::vector<int> SignalsToWaitFor() {
+  std::vector<int> signals;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    sigaction(number, nullptr, &action);
+    if (action.sa_handler != SIG_IGN) signals.push_back(number);
+  }
+  return signals;
+}
+
+sigset_t SetOf(const std::vector<int>& signals) {
+  sigset_t set{};
+  sigemptyset(&set);
+  for (const int number : signals) sigaddset(&set, number);
+  return set;
+}
+
+/// Removes what is unfinished, and ends the process as the signal would have.
+void EndBy(int number) {
+  Unfinished& unfinished = TheUnfinished();
+  // Never given back: nothing is to be made, or put in its place, any more.
+  unfinished.mutex.lock();
+  for (const std::string& path : unfinished.paths) unlink(path.c_str());
+  std::signal(number, SIG_DFL);
+  const sigset_t set = SetOf({number});
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+  raise(number);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  std::error_code ignored;
+  if (filesystem::is_symlink(path, ignored) && filesystem::exists(path, ignored)) {
+    path_ = filesystem::canonical(path).string();
+  }
+  unfinished_ = path_;
+  struct stat old {};
+  const bool there = stat(path_.c_str(), &old) == 0;
+  if (there && !S_ISREG(old.st_mode) && !S_ISDIR(old.st_mode)) return;
+  RemoveLeftOvers(path_);
+  Unfinished& unfinished = TheUnfinished();
+  const std::lock_guard<std::mutex> lock(unfinished.mutex);
+  descriptor_ = MakeUnfinished(path_, &unfinished_);
+  unfinished.paths.insert(unfinished_);
+  // A file system without permissions keeps its own.
+  if (there && S_ISREG(old.st_mode)) static_cast<void>(fchmod(descriptor_, old.st_mode & 07777U));
+}
+
+OutputFile::~OutputFile() {
+  if (descriptor_ < 0) return;
+  Unfinished& unfinished = TheUnfinished();
+  const std::lock_guard<std::mutex> lock(unfinished.mutex);
+  if (unfinished.paths.erase(unfinished_) > 0) unlink(unfinished_.c_str());
+  close(descriptor_);
+}
+
+void OutputFile::Finish() {
+  if (descriptor_ < 0) return;
+  if (fsync(descriptor_) != 0) throw SystemError();
+  Unfinished& unfinished = TheUnfinished();
+  const std::lock_guard<std::mutex> lock(unfinished.mutex);
+  if (std::rename(unfinished_.c_str(), path_.c_str()) != 0) throw SystemError();
+  unfinished.paths.erase(unfinished_);
+}
+
+RemovalOnSignals::RemovalOnSignals() {
+  TheUnfinished().ending = false;
+  const std::vector<int> signals = SignalsToWaitFor();
+  const sigset_t set = SetOf(signals);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  if (signals.empty()) return;
+  waiting_ = std::thread([set] {
+    int number = 0;
+    while (sigwait(&set, &number) != 0) continue;
+    if (!TheUnfinished().ending) EndBy(number);
+  });
+}
+
+RemovalOnSignals::~RemovalOnSignals() {
+  if (!waiting_.joinable()) return;
+  TheUnfinished().ending = true;
+  const std::vector<int> signals = SignalsToWaitFor();
+  pthread_kill(waiting_.native_handle(), signals.front());
+  waiting_.join();
+  const sigset_t set = SetOf(signals);
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
 
 }  // namespace contact_shapelets

@@ -34,6 +34,8 @@ ros::Time ToTime(core::Nanoseconds nanoseconds) {
   return time;
 }
 
+core::Nanoseconds WallNow() { return static_cast<core::Nanoseconds>(ros::WallTime::now().toNSec()); }
+
 Eigen::Vector3d ToVector(const geometry_msgs::Vector3& vector) { return {vector.x, vector.y, vector.z}; }
 
 core::Episode FromMessage(const Episode& message) {
@@ -108,15 +110,16 @@ core::Model FromMessage(const ShapeletModel& message) {
                       message.selected_scales,
                       message.seed,
                       static_cast<int>(message.training_episodes),
-                      message.typical_duration};
+                      message.typical_duration,
+                      ToNanoseconds(message.header.stamp)};
   const std::string faults = model.Faults();
   if (!faults.empty()) throw std::invalid_argument("the model cannot be used: " + faults);
   return model;
 }
 
-ShapeletModel ToMessage(const core::Model& model, const ros::Time& time) {
+ShapeletModel ToMessage(const core::Model& model) {
   ShapeletModel message;
-  message.header.stamp = time;
+  message.header.stamp = ToTime(model.provenance.trained);
   message.model_id = model.id;
   message.format_version = ShapeletModel::FORMAT_VERSION;
   message.sample_period = model.sample_period;

@@ -24,6 +24,8 @@ namespace contact_shapelets {
 core::Nanoseconds ToNanoseconds(const ros::Time& time);
 /// The time of `nanoseconds` since the epoch; negative ones become zero.
 ros::Time ToTime(core::Nanoseconds nanoseconds);
+/// The time on the machine's clock, simulated time or not.
+core::Nanoseconds WallNow();
 /// The vector in the unit of the message.
 Eigen::Vector3d ToVector(const geometry_msgs::Vector3& vector);
 
@@ -37,8 +39,8 @@ EpisodeEvent ToMessage(const core::EpisodeEdge& edge, const std::string& frame_i
 
 /// \throws std::invalid_argument where the message has another format version or its contents have faults, naming them.
 core::Model FromMessage(const ShapeletModel& message);
-/// The message of a model, stamped `time`.
-ShapeletModel ToMessage(const core::Model& model, const ros::Time& time);
+/// The message of a model, stamped with the time of its training.
+ShapeletModel ToMessage(const core::Model& model);
 
 /// The features of an episode by a model.
 ShapeletFeatures FeaturesMessage(const core::Episode& episode, const core::Model& model,

@@ -11,6 +11,19 @@
 
 namespace contact_shapelets {
 
+namespace {
+
+/// [s] Longer ones are refused anyway.
+constexpr double kLongest = 1e8;
+
+core::Nanoseconds EndOf(const Episode& message) {
+  const double duration = message.sample_period * static_cast<double>(message.force.size());
+  const bool sound = duration >= 0.0 && duration <= kLongest;
+  return ToNanoseconds(message.header.stamp) + (sound ? core::FromSeconds(duration) : 0);
+}
+
+}  // namespace
+
 using diagnostic_msgs::DiagnosticStatus;
 
 ClassifierNode::ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle)
@@ -62,6 +75,14 @@ void ClassifierNode::LoadModelFile() {
 
 void ClassifierNode::OnModel(const ShapeletModel& message) {
   if (classifier_ && classifier_->model().id == message.model_id) return TakeNames(message);
+  // A trainer's latched model may be older than the file that was loaded since.
+  if (classifier_ && ToNanoseconds(message.header.stamp) < classifier_->model().provenance.trained) {
+    model_fault_ =
+        "model " + message.model_id +
+        " by topic was refused: it was trained before the one in use; to go back to it, start this node with its file";
+    ROS_WARN("%s", model_fault_.c_str());
+    return;
+  }
   try {
     classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
     model_fault_.clear();
@@ -77,19 +98,24 @@ void ClassifierNode::TakeNames(const ShapeletModel& message) {
   const std::size_t count = std::min(message.cluster_labels.size(), classifier_->model().clusters.size());
   for (std::size_t index = 0; index < count; ++index) {
     // The trainer's latched model lacks the names that were given here since.
-    if (message.cluster_labels[index].empty() || !classifier_->model().clusters[index].label.empty()) continue;
-    classifier_->NameCluster(static_cast<int>(index), message.cluster_labels[index]);
+    const std::string& name = message.cluster_labels[index];
+    const bool sound = !name.empty() && name.size() <= core::kLongestLabel;
+    if (!sound || !classifier_->model().clusters[index].label.empty()) continue;
+    classifier_->NameCluster(static_cast<int>(index), name);
   }
 }
 
 void ClassifierNode::OnEpisode(const Episode& message) {
   last_episode_ = message.episode_id;
+  last_end_ = EndOf(message);
   Diagnose(message, true);
 }
 
 void ClassifierNode::OnProgress(const Episode& message) {
   // It travels on a connection of its own, and may arrive after the end of its episode.
-  if (!classifier_ || message.episode_id == last_episode_) return;
+  // Sequencers may name all episodes alike, so that the name alone does not tell.
+  const bool over = message.episode_id == last_episode_ && ToNanoseconds(message.header.stamp) < last_end_;
+  if (!classifier_ || over) return;
   const double duration = message.sample_period * static_cast<double>(message.force.size());
   if (duration < options_.early_minimum * classifier_->model().provenance.typical_duration) return;
   Diagnose(message, false);
@@ -125,7 +151,7 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
     classifier_->NameCluster(request.cluster, request.label);
     const std::string named = "cluster " + std::to_string(request.cluster) + " is " + request.label;
     try {
-      response.message = named + ", " + SaveNames();
+      response.message = named + ", " + SaveName(request.cluster, request.label);
       response.success = 1U;
     } catch (const std::exception& error) {
       throw std::runtime_error(named + " until this node ends, not saved: " + error.what());
@@ -137,12 +163,18 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
   return true;
 }
 
-std::string ClassifierNode::SaveNames() {
+std::string ClassifierNode::SaveName(int cluster, const std::string& label) {
   if (options_.model.empty()) return "not saved: the model came by topic; give its file by ~model to save names";
-  // A training may have put another model there, which these names do not fit.
+  const std::string& id = classifier_->model().id;
+  // A training may have put another model there, which this name does not fit.
   const std::string in_file = LoadModel(options_.model).id;
-  if (in_file != classifier_->model().id) return "not saved: " + options_.model + " holds another model, " + in_file;
-  SaveModel(options_.model, classifier_->model());
+  if (in_file != id) return "not saved: " + options_.model + " holds another model, " + in_file;
+  const core::Model saved = NameClustersInFile(options_.model, id, {{cluster, label}});
+  // Others name clusters in the file, too.
+  for (std::size_t index = 0; index < saved.clusters.size(); ++index) {
+    const std::string& name = saved.clusters[index].label;
+    if (!name.empty()) classifier_->NameCluster(static_cast<int>(index), name);
+  }
   return "saved in " + options_.model;
 }
 
@@ -158,6 +190,7 @@ void ClassifierNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status)
   }
   if (classifier_) {
     status.add("model", classifier_->model().id);
+    status.add("trained at [s]", classifier_->model().provenance.trained / 1'000'000'000);
     status.add("shapelets", classifier_->model().shapelets.size());
     status.add("clusters", classifier_->model().clusters.size());
   }

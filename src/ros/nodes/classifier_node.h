@@ -31,7 +31,7 @@ class ClassifierNode {
   void OnProgress(const Episode& message);
   void Diagnose(const Episode& message, bool final);
   bool OnNameCluster(NameCluster::Request& request, NameCluster::Response& response);
-  std::string SaveNames();
+  std::string SaveName(int cluster, const std::string& label);
   void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_handle_;
@@ -40,6 +40,7 @@ class ClassifierNode {
   core::FeatureMemory feature_memory_;
   std::unique_ptr<core::Classifier> classifier_;  ///< none until there is a model
   std::string last_episode_;                      ///< id of the last one that ended
+  core::Nanoseconds last_end_ = 0;                ///< when it ended
   std::string parameter_faults_;
   std::string model_fault_;    ///< why there is no model, or why the last one was refused
   std::string episode_fault_;  ///< why the last episode was refused; empty where it was not

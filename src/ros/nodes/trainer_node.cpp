@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "contact_shapelets/ros/model_bag.h"
+#include "core/numerics/parallel.h"
 #include "evaluation/partition_metrics.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
@@ -19,6 +20,8 @@ using diagnostic_msgs::DiagnosticStatus;
 
 /// Of the whole, in fractions of the progress: an estimate for bags of raw wrench.
 constexpr double kReadingPart = 0.1;
+/// A cell goes on while it trains: the driver, the episodes and the diagnoses need a core.
+constexpr int kSpareThreads = 1;
 
 }  // namespace
 
@@ -57,7 +60,7 @@ void TrainerNode::ReadParameters() {
 
 void TrainerNode::PublishModelFile(const std::string& path) {
   try {
-    model_publisher_.publish(ToMessage(LoadModel(path), ros::Time::now()));
+    model_publisher_.publish(ToMessage(LoadModel(path)));
   } catch (const std::exception& error) {
     ROS_ERROR("%s", error.what());
     SetState(DiagnosticStatus::ERROR, OneLine(error.what()));
@@ -129,12 +132,16 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
   const std::string output = WholePath(task.output);
   CheckModelOutput("output", output, bags);
   SetState(DiagnosticStatus::OK, "training");
-  const std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
+  std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
     go_on({0, 0, 0.0, kReadingPart * done});
   });
 
+  const int incomplete = core::TakeIncomplete(options_, &episodes);
+  result->incomplete = static_cast<std::uint32_t>(incomplete);
+
   core::TrainerOptions options = options_;
   options.clusters = task.clusters;
+  options.threads = Threads();
   core::TrainingProgress last;
   core::TrainingResult training =
       core::TrainModel(episodes, options, [&progress, &last](const core::TrainingProgress& state) {
@@ -144,14 +151,19 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
       });
   go_on(last);
   training.model.provenance.sources = bags;
+  training.model.provenance.trained = WallNow();
   SaveModel(output, training.model);
-  model_publisher_.publish(ToMessage(training.model, ros::Time::now()));
+  model_publisher_.publish(ToMessage(training.model));
   result->model_id = training.model.id;
   result->episodes = static_cast<std::uint32_t>(episodes.size());
   const auto agreement = evaluation::CompareWithOutcomes(training.labels, episodes);
   if (agreement) result->rand_index = static_cast<float>(agreement->scores.rand_index);
-  result->message = "trained on " + std::to_string(episodes.size()) + " episodes, saved in " + output;
+  result->message = "trained on " + std::to_string(episodes.size()) + " episodes, " +
+                    (incomplete > 0 ? std::to_string(incomplete) + " incomplete ones left out, " : "") + "saved in " +
+                    output;
 }
+
+int TrainerNode::Threads() const { return core::ThreadCount(options_.threads, kSpareThreads); }
 
 void TrainerNode::SetState(int level, const std::string& text) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
@@ -162,6 +174,7 @@ void TrainerNode::SetState(int level, const std::string& text) {
 void TrainerNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const std::lock_guard<std::mutex> lock(state_mutex_);
   status.summary(static_cast<unsigned char>(state_level_), state_text_);
+  status.add("threads", Threads());
 }
 
 }  // namespace contact_shapelets

@@ -39,6 +39,7 @@ class TrainerNode {
   void OnGoal(const TrainGoalConstPtr& goal);
   TrainResult Train(const Task& task, const core::ProgressCallback& progress);
   void TrainAndSave(const Task& task, const core::ProgressCallback& progress, TrainResult* result);
+  int Threads() const;
   void SetState(int level, const std::string& text);
   void Report(diagnostic_updater::DiagnosticStatusWrapper& status);
 

@@ -39,13 +39,7 @@ WrenchAdapterNode::WrenchAdapterNode(const ros::NodeHandle& node_handle, const r
 
 void WrenchAdapterNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
-  reader.Read("source", {{"wrench", false}, {"joint_torques", true}}, &options_.from_torques);
-  reader.Read("field", &options_.field);
-  reader.Read("frame_id", &options_.frame_id);
-  reader.Read("damping", &options_.damping);
-  reader.Read("base_link", &options_.base_link);
-  reader.Read("tip_link", &options_.tip_link);
-  reader.AddFaults(options_.Faults());
+  options_ = ReadAdapterOptions(&reader);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {

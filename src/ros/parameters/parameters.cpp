@@ -3,8 +3,10 @@
 #include <ros/console.h>
 
 #include <algorithm>
+#include <limits>
 #include <regex>
 
+#include "core/numerics/interval.h"
 #include "ros/messages/text.h"
 
 namespace contact_shapelets {
@@ -120,7 +122,7 @@ void ParameterReader::Read(const std::string& name, std::string* value) {
 void ParameterReader::Read(const std::string& name, std::uint64_t* value) {
   int number = static_cast<int>(*value);
   Read(name, &number);
-  if (number < 0) faults_ << name << " must be at least 0, but is " << number << '\n';
+  core::CheckRange(name, number, {0, std::numeric_limits<int>::max()}, &faults_);
   *value = static_cast<std::uint64_t>(std::max(0, number));
 }
 
@@ -173,8 +175,9 @@ std::vector<std::string> ParameterReader::Unset() const {
 }
 
 std::string ClassifierOptions::Faults() const {
-  if (early_minimum >= 0.0 && early_minimum <= 1.0) return "";
-  return "early_minimum must be in [0, 1], but is " + std::to_string(early_minimum) + "\n";
+  std::ostringstream faults;
+  core::CheckRange("early_minimum", early_minimum, {0, 1}, &faults);
+  return faults.str();
 }
 
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
@@ -203,9 +206,9 @@ EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
   EpisodeOptions options;
   options.segmentation = ReadSegmentationOptions(reader);
   reader->Read("progress_rate", &options.progress_rate);
-  if (!(options.progress_rate >= 0.0 && options.progress_rate <= 100.0)) {
-    reader->AddFaults("progress_rate must be in [0, 100] Hz, but is " + std::to_string(options.progress_rate) + "\n");
-  }
+  std::ostringstream faults;
+  core::CheckRange("progress_rate", options.progress_rate, {0, 100}, &faults, " Hz");
+  reader->AddFaults(faults.str());
   return options;
 }
 
@@ -221,6 +224,7 @@ core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   reader->Read("novelty_quantile", &options.novelty_quantile);
   reader->Read("novelty_margin", &options.novelty_margin);
   reader->Read("threads", &options.threads);
+  reader->Read("incomplete", &options.incomplete);
   reader->Read("seed", &options.seed);
   reader->Read("scales", &learner.scales);
   reader->Read("objective", kObjectives, &learner.objective);
@@ -242,6 +246,18 @@ ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
   reader->Read("model", &options.model);
   reader->Read("early", &options.early);
   reader->Read("early_minimum", &options.early_minimum);
+  reader->AddFaults(options.Faults());
+  return options;
+}
+
+WrenchAdapterOptions ReadAdapterOptions(ParameterReader* reader) {
+  WrenchAdapterOptions options;
+  reader->Read("source", {{"wrench", false}, {"joint_torques", true}}, &options.from_torques);
+  reader->Read("field", &options.field);
+  reader->Read("frame_id", &options.frame_id);
+  reader->Read("damping", &options.damping);
+  reader->Read("base_link", &options.base_link);
+  reader->Read("tip_link", &options.tip_link);
   reader->AddFaults(options.Faults());
   return options;
 }

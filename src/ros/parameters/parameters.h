@@ -11,6 +11,7 @@
 
 #include "contact_shapelets/core/segmentation_options.h"
 #include "contact_shapelets/core/trainer.h"
+#include "ros/adapters/wrench_adapter_options.h"
 
 /// \file
 /// Parameters from the parameter server or a YAML file into the plain structs of options, by the same code.
@@ -89,6 +90,9 @@ EpisodeOptions ReadEpisodeOptions(ParameterReader* reader);
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
 /// Parameters of the classifier node; faults are noted in `reader`.
 ClassifierOptions ReadClassifierOptions(ParameterReader* reader);
+
+/// Parameters of the wrench adapter node; faults are noted in `reader`.
+WrenchAdapterOptions ReadAdapterOptions(ParameterReader* reader);
 
 /// Logs which parameters a node has that it does not know (as warnings) and which differ from their defaults.
 void LogParameters(const ParameterReader& reader);

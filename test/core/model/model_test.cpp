@@ -32,12 +32,12 @@ TEST(Model, ListsEveryFaultAtOnce) {
   EXPECT_EQ(model.Faults(),
             "the sample period is not in [0.0001, 1] s\n"
             "the flat fraction is not in [0, 1)\n"
-            "the log offset is not in [0, 1]\n"
+            "the log offset is not 0 or in [1e-06, 1]\n"
             "shapelet 0 has fewer than 2 values\n"
             "shapelet 0 has a dilation below 1\n"
             "shapelet 1 holds a value that is not finite\n"
             "cluster 0 has 3 features, but there are 2 shapelets\n"
-            "cluster 0 has a novelty limit that is not above 0\n"
+            "cluster 0 has a novelty limit that is not in [1e-06, 1000000000]\n"
             "cluster 1 holds a value that is not finite\n");
 }
 

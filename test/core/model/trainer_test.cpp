@@ -114,6 +114,46 @@ TEST(TrainModel, GivesAClusterOfEqualEpisodesTheLimitOfOthers) {
               clusters[equal].novelty_limit == clusters[(equal + 2) % 3].novelty_limit);
 }
 
+TEST(TrainModel, HasAnIdThatIsOfItsInputAlone) {
+  std::vector<Episode> episodes = PlantedEpisodes(6, 0, 4);
+  const Model model = TrainModel(episodes, QuickOptions()).model;
+  // What other compilers and processors make of one recording.
+  for (Episode& episode : episodes) {
+    episode.force = (1000.0F * episode.force).array().round().matrix() / 1000.0F;
+  }
+  const Model rounded = TrainModel(episodes, QuickOptions()).model;
+  EXPECT_NE(rounded.shapelets[0].values, model.shapelets[0].values);
+  EXPECT_EQ(rounded.id, model.id);
+}
+
+TEST(TrainModel, RefusesEpisodesOfWhichTheModelWouldBeTooLarge) {
+  std::vector<Episode> episodes = PlantedEpisodes(2, 0, 4);
+  for (Episode& episode : episodes) episode.force = Eigen::VectorXf::LinSpaced(600'000, 0.0F, 9.0F);
+  TrainerOptions options = QuickOptions();
+  options.learner.scales = {0.9};
+  try {
+    TrainModel(episodes, options);
+    FAIL() << "it trained";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("raise sample_period"), std::string::npos) << error.what();
+  }
+}
+
+TEST(TakeIncomplete, TakesThoseThatLackSamplesUnlessTheyAreAskedFor) {
+  std::vector<Episode> episodes = PlantedEpisodes(2, 0, 1);
+  episodes[1].complete = false;
+  episodes[4].complete = false;
+  TrainerOptions options;
+  options.incomplete = true;
+  EXPECT_EQ(TakeIncomplete(options, &episodes), 0);
+  EXPECT_EQ(episodes.size(), 6U);
+  options.incomplete = false;
+  EXPECT_EQ(TakeIncomplete(options, &episodes), 2);
+  std::vector<std::string> left;
+  for (const Episode& episode : episodes) left.push_back(episode.id);
+  EXPECT_EQ(left, (std::vector<std::string>{"0", "2", "3", "5"}));
+}
+
 TEST(TrainModel, RefusesFewerEpisodesThanClusters) {
   EXPECT_THROW(TrainModel({PlantedEpisodes(1, 0, 1).front()}, QuickOptions()), std::invalid_argument);
 }

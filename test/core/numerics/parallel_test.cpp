@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <set>
 #include <stdexcept>
@@ -74,6 +75,12 @@ TEST(ParallelFor, RunsCallsAtTheSameTime) {
 TEST(ThreadCount, KeepsARequestAndOtherwiseTakesAtLeastOne) {
   EXPECT_EQ(ThreadCount(3), 3);
   EXPECT_GE(ThreadCount(0), 1);
+}
+
+TEST(ThreadCount, LeavesSpareCoresButAlwaysTakesOne) {
+  EXPECT_EQ(ThreadCount(0, 1), std::max(1, ThreadCount(0) - 1));
+  EXPECT_EQ(ThreadCount(0, 1'000'000), 1);
+  EXPECT_EQ(ThreadCount(5, 1), 5) << "asked for by number";
 }
 
 }  // namespace

@@ -2,9 +2,12 @@
 
 #include <rosbag/view.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <topic_tools/shape_shifter.h>
 
 #include <csignal>
+#include <cstring>
+#include <vector>
 
 #include "ros/bags/bag_fixture.h"
 #include "ros/messages/conversions.h"
@@ -24,7 +27,8 @@ core::Model Trained(const std::string& id = "model_1") {
                      {2, 3, Eigen::Vector4f(1.0F, -1.0F, 1.0F, -1.0F)}};
   model.clusters = {{Eigen::Vector2f(0.1F, -0.2F), 1.7F, 12, ""},
                     {Eigen::Vector2f(1.0F / 3.0F, 0.4F), 0.9F, 30, "already_on"}};
-  model.provenance = {{"one.bag", "two.bag"}, "contrastive", {0.1, 1.0 / 3.0}, 0xFFFFFFFFFFFFFFFFULL, 42, 2.17};
+  model.provenance = {{"one.bag", "two.bag"},   "contrastive", {0.1, 1.0 / 3.0}, 0xFFFFFFFFFFFFFFFFULL, 42, 2.17,
+                      1'600'000'000'123'456'789};
   return model;
 }
 
@@ -67,6 +71,7 @@ TEST_F(ModelBagTest, ASavedModelIsLoadedToTheLastBit) {
   EXPECT_EQ(loaded.provenance.seed, model.provenance.seed);
   EXPECT_EQ(loaded.provenance.training_episodes, model.provenance.training_episodes);
   EXPECT_EQ(loaded.provenance.typical_duration, model.provenance.typical_duration);
+  EXPECT_EQ(loaded.provenance.trained, model.provenance.trained);
 }
 
 TEST_F(ModelBagTest, IsABagWithOneModelOnItsTopic) {
@@ -170,7 +175,7 @@ TEST_F(ModelBagTest, RefusesABagWithoutAModel) {
 }
 
 TEST_F(ModelBagTest, RefusesABagWithTwoModels) {
-  const ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  const ShapeletModel message = ToMessage(Trained());
   WriteMessages(Path("model.bag"), {message, message});
   ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "holds 2"});
 }
@@ -183,7 +188,7 @@ TEST_F(ModelBagTest, RefusesAnotherVersionOfTheMessageByItsDigest) {
 }
 
 TEST_F(ModelBagTest, RefusesAnotherFormatVersion) {
-  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  ShapeletModel message = ToMessage(Trained());
   message.format_version = 99;
   WriteMessages(Path("model.bag"), {message});
   ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }),
@@ -191,7 +196,7 @@ TEST_F(ModelBagTest, RefusesAnotherFormatVersion) {
 }
 
 TEST_F(ModelBagTest, RefusesFaultyContentsAndNamesThem) {
-  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  ShapeletModel message = ToMessage(Trained());
   message.sample_period = -1.0;
   message.centroids[0].values.pop_back();
   WriteMessages(Path("model.bag"), {message});
@@ -199,8 +204,110 @@ TEST_F(ModelBagTest, RefusesFaultyContentsAndNamesThem) {
               {Path("model.bag"), "the sample period is not in [0.0001, 1] s", "cluster 0 has 1 features"});
 }
 
+TEST_F(ModelBagTest, DoesNotSaveAModelThatItWouldNotLoad) {
+  core::Model model = Trained();
+  model.shapelets[1].dilation = 1 << 30;
+  ExpectWords(MessageOf([&] { SaveModel(Path("model.bag"), model); }),
+              {Path("model.bag"), "shapelet 1 reaches over more than 6000000 samples"});
+  EXPECT_FALSE(std::filesystem::exists(Path("model.bag")));
+}
+
+/// The bytes of the model's message, with this number in place of the one of its shapelets.
+std::vector<std::uint8_t> BytesWithShapelets(std::uint32_t number) {
+  core::Model model = Trained();
+  const ShapeletModel message = ToMessage(model);
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(stream, message);
+  // Before them: header, id, format version and three numbers.
+  const std::size_t place = 3 * 4 + 4 + message.header.frame_id.size() + 4 + message.model_id.size() + 4 + 3 * 8;
+  std::memcpy(bytes.data() + place, &number, sizeof(number));
+  return bytes;
+}
+
+TEST_F(ModelBagTest, RefusesAnArrayThatIsSaidToBeLongerThanTheFile) {
+  for (const std::uint32_t number : {3U, 1U << 27U, 0xFFFFFFFFU}) {
+    std::vector<std::uint8_t> bytes = BytesWithShapelets(number);
+    topic_tools::ShapeShifter shape;
+    shape.morph(ros::message_traits::md5sum<ShapeletModel>(), ros::message_traits::datatype<ShapeletModel>(),
+                ros::message_traits::definition<ShapeletModel>(), "");
+    ros::serialization::IStream stream(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+    shape.read(stream);
+    rosbag::Bag(Path("model.bag"), rosbag::bagmode::Write).write("model", ros::Time(1.0), shape);
+    // Without the memory that such an array takes, a test of this ends at once.
+    rlimit whole{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &whole), 0);
+    const rlimit little{rlim_t{4} << 30U, whole.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &little), 0);
+    const std::string message = MessageOf([this] { LoadModel(Path("model.bag")); });
+    setrlimit(RLIMIT_AS, &whole);
+    ExpectWords(message, {Path("model.bag"), "ends before its last field"});
+  }
+}
+
+TEST_F(ModelBagTest, NamesAClusterAndKeepsTheTimeOfTraining) {
+  SaveModel(Path("model.bag"), Trained());
+  const core::Model named = NameClustersInFile(Path("model.bag"), "model_1", {{0, "broken"}});
+  EXPECT_EQ(named.clusters[0].label, "broken");
+  const core::Model loaded = LoadModel(Path("model.bag"));
+  EXPECT_EQ(loaded.clusters[0].label, "broken");
+  EXPECT_EQ(loaded.clusters[1].label, "already_on");
+  EXPECT_EQ(loaded.provenance.trained, Trained().provenance.trained);
+  const std::filesystem::directory_iterator files(folder_);
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "the file of the lock was left";
+}
+
+TEST_F(ModelBagTest, DoesNotNameClustersOfAnotherModel) {
+  SaveModel(Path("model.bag"), Trained("other"));
+  const std::string before = Contents(Path("model.bag"));
+  ExpectWords(MessageOf([this] {
+                NameClustersInFile(Path("model.bag"), "model_1", {{0, "broken"}});
+              }),
+              {Path("model.bag"), "holds another model, other, expected model_1"});
+  ExpectWords(MessageOf([this] {
+                NameClustersInFile(Path("model.bag"), "other", {{2, "broken"}});
+              }),
+              {"there is no cluster 2"});
+  EXPECT_EQ(Contents(Path("model.bag")), before);
+}
+
+TEST_F(ModelBagTest, NamesOfProcessesThatSaveAtTheSameTimeAllStay) {
+  constexpr int kProcesses = 4;
+  constexpr int kNamesEach = 8;
+  core::Model model = Trained();
+  model.clusters.assign(kProcesses * kNamesEach, model.clusters[0]);
+  SaveModel(Path("model.bag"), model);
+  std::vector<pid_t> processes;
+  for (int process = 0; process < kProcesses; ++process) {
+    processes.push_back(fork());
+    if (processes.back() != 0) continue;
+    const std::string fault = MessageOf([&] {
+      for (int index = 0; index < kNamesEach; ++index) {
+        const int cluster = kProcesses * index + process;
+        NameClustersInFile(Path("model.bag"), model.id, {{cluster, "name_" + std::to_string(cluster)}});
+      }
+    });
+    _exit(fault.empty() ? 0 : 1);
+  }
+  for (const pid_t process : processes) {
+    int status = 0;
+    waitpid(process, &status, 0);
+    EXPECT_EQ(status, 0);
+  }
+  const core::Model named = LoadModel(Path("model.bag"));
+  for (std::size_t cluster = 0; cluster < named.clusters.size(); ++cluster) {
+    EXPECT_EQ(named.clusters[cluster].label, "name_" + std::to_string(cluster));
+  }
+}
+
+TEST_F(ModelBagTest, ALockThatADeadProcessLeftIsNoObstacle) {
+  SaveModel(Path("model.bag"), Trained());
+  Write(Path("model.bag.lock"), "");
+  EXPECT_EQ(NameClustersInFile(Path("model.bag"), "model_1", {{0, "broken"}}).clusters[0].label, "broken");
+}
+
 TEST_F(ModelBagTest, RefusesLabelsThatDoNotBelongToTheClusters) {
-  ShapeletModel message = ToMessage(Trained(), ros::Time(1.0));
+  ShapeletModel message = ToMessage(Trained());
   message.cluster_labels.pop_back();
   WriteMessages(Path("model.bag"), {message});
   ExpectWords(MessageOf([this] { LoadModel(Path("model.bag")); }), {Path("model.bag"), "2 clusters, but 1 labels"});

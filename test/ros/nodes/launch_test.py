@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The shipped launch files load and start, and a training ends in good order on signals."""
 
+import math
 import os
 import pathlib
 import shutil
@@ -8,16 +9,20 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
+import rosbag
 import roslaunch.config
 import roslib.packages
 import rospkg
 import rospy
 import rostest
+from contact_shapelets.msg import Diagnosis, EpisodeEvent
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import WrenchStamped
+from std_msgs.msg import Bool
 
 PACKAGE = "contact_shapelets"
 ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
@@ -140,6 +145,96 @@ class LaunchFiles(unittest.TestCase):
             finally:
                 process.send_signal(signal.SIGINT)
             self.assertEqual(process.wait(LIMIT), 0)
+
+
+class Pushes:
+    """A sensor at 200 Hz, a sequencer, and the diagnoses of its pushes."""
+
+    def __init__(self):
+        self.diagnoses = []
+        self.wrench = rospy.Publisher("/wrench", WrenchStamped, queue_size=1000)
+        self.active = rospy.Publisher("/episode_active", Bool, queue_size=10)
+        self.subscriber = rospy.Subscriber("/diagnosis", Diagnosis, self.take)
+
+    def take(self, diagnosis):
+        if diagnosis.final:
+            self.diagnoses.append(diagnosis.episode_id)
+
+    def wait_for_subscribers(self):
+        end = time.monotonic() + LIMIT
+        while not (self.wrench.get_num_connections() and self.active.get_num_connections()):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
+
+    def sense(self, duration, force):
+        for step in range(int(200 * duration)):
+            wrench = WrenchStamped()
+            wrench.header.stamp = rospy.Time.now()
+            wrench.wrench.force.z = force * math.sin(math.pi * step / (200 * duration)) + 1e-3 * (step % 2)
+            self.wrench.publish(wrench)
+            time.sleep(0.005)
+
+    def push(self):
+        """Returns whether one push is diagnosed."""
+        before = len(self.diagnoses)
+        self.sense(0.3, 0.0)
+        self.active.publish(True)
+        self.sense(0.6, 20.0)
+        self.active.publish(False)
+        end = time.monotonic() + LIMIT / 4
+        while len(self.diagnoses) == before and time.monotonic() < end:
+            self.sense(0.1, 0.0)
+        return len(self.diagnoses) == before + 1
+
+
+class Launched:
+    """A launch file of the package that runs, and what it prints."""
+
+    def __init__(self, *arguments):
+        command = ["roslaunch", "--wait", PACKAGE, *arguments]
+        self.process = subprocess.Popen(command, start_new_session=True, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, text=True)
+        self.lines = []
+        threading.Thread(target=lambda: self.lines.extend(self.process.stdout), daemon=True).start()
+
+    def wait_for(self, part):
+        end = time.monotonic() + LIMIT
+        while not any(part in line for line in list(self.lines)):
+            if time.monotonic() > end:
+                return False
+            time.sleep(0.02)
+        return True
+
+    def end(self):
+        self.process.send_signal(signal.SIGINT)
+        return self.process.wait(LIMIT)
+
+
+class RecordingBesideDiagnosing(unittest.TestCase):
+    def test_each_push_is_diagnosed_and_one_takes_over_from_the_other(self):
+        pushes = Pushes()
+        with tempfile.TemporaryDirectory() as folder:
+            record = Launched("record.launch", f"prefix:={folder}/day")
+            try:
+                self.assertTrue(pushes.wait_for_subscribers())
+                diagnose = Launched("diagnose.launch", "model:=" + rospy.get_param("/paths/model"))
+                try:
+                    self.assertTrue(diagnose.wait_for("/episode_node runs already"), diagnose.lines)
+                    self.assertEqual([pushes.push() for _ in range(5)], [True] * 5, diagnose.lines)
+                    record.end()
+                    self.assertTrue(diagnose.wait_for("/episode_node takes over"), diagnose.lines)
+                    self.assertTrue(pushes.wait_for_subscribers())
+                    self.assertTrue(pushes.push(), diagnose.lines)
+                finally:
+                    diagnose.end()
+            finally:
+                record.end()
+            (recording,) = pathlib.Path(folder).glob("day*.bag")
+            with rosbag.Bag(str(recording)) as bag:
+                opened = [message.kind for _, message, _ in bag.read_messages("/episode_event")]
+            self.assertEqual(opened, [EpisodeEvent.OPEN, EpisodeEvent.CLOSE] * 5)
 
 
 class Diagnostics(unittest.TestCase):

@@ -127,6 +127,60 @@ TEST(Classifier, DiagnosesOpenEpisodesEarlyButOnlyWhileTheyAreOpen) {
   EXPECT_EQ(node.events.messages().size(), 1U) << "early diagnoses are no events";
 }
 
+TEST(Classifier, DiagnosesEarlyAlsoWhereAllEpisodesHaveOneName) {
+  RunningClassifier node("file");
+  ASSERT_TRUE(node.WaitForConnections());
+  Episode first = AnEpisode();
+  first.episode_id = "push";
+  Diagnosis diagnosis;
+  ASSERT_TRUE(node.Diagnosed(first, &diagnosis));
+  Episode second = first;
+  second.header.stamp += ros::Duration(first.sample_period * static_cast<double>(first.force.size()) + 1.0);
+  for (Episode* const episode : {&first, &second}) {
+    episode->complete = false;
+    episode->force.resize(episode->force.size() / 2);
+    node.Progress(*episode);  // that of the first was overtaken by its end
+  }
+  ASSERT_TRUE(node.diagnoses.WaitForCount(2));
+  EXPECT_FALSE(node.diagnoses.messages().back().final);
+  EXPECT_EQ(node.diagnoses.messages().back().header.stamp, second.header.stamp);
+}
+
+TEST(Classifier, NamesOfTwoNodesInOneFileBothStay) {
+  RunningClassifier one("twin_1");
+  RunningClassifier other("twin_2");
+  EXPECT_TRUE(one.Name(0, "first").success);
+  EXPECT_TRUE(other.Name(1, "second").success);
+  EXPECT_TRUE(one.Name(2, "third").success);
+  const core::Model saved = LoadModel(PathParameter("twin_model"));
+  EXPECT_EQ(saved.clusters[0].label, "first");
+  EXPECT_EQ(saved.clusters[1].label, "second");
+  EXPECT_EQ(saved.clusters[2].label, "third");
+  EXPECT_EQ(saved.provenance.trained, LoadModel(PathParameter("model")).provenance.trained);
+}
+
+TEST(Classifier, TakesNoModelByTopicThatIsOlderThanItsFile) {
+  ros::NodeHandle node_handle;
+  RunningClassifier node("aged");
+  Diagnostics diagnostics;
+  ASSERT_TRUE(node.WaitForConnections());
+  core::Model model = LoadModel(PathParameter("model"));
+  const std::string in_file = model.id;
+  const core::Nanoseconds trained = model.provenance.trained;
+  ros::Publisher publisher = node_handle.advertise<ShapeletModel>("aged/model", 1, true);
+  model.id = "older";
+  model.provenance.trained = trained - 1'000'000'000;
+  publisher.publish(ToMessage(model));
+  EXPECT_TRUE(diagnostics.WaitFor("aged/classifier_node", DiagnosticStatus::WARN, "model older by topic was refused"));
+  Diagnosis diagnosis;
+  ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
+  EXPECT_EQ(diagnosis.model_id, in_file);
+  model.id = "newer";
+  model.provenance.trained = trained + 1'000'000'000;
+  publisher.publish(ToMessage(model));
+  EXPECT_TRUE(diagnostics.WaitForValue("aged/classifier_node", "model", "newer"));
+}
+
 TEST(Classifier, NamesAClusterAndSavesTheName) {
   RunningClassifier node("named");
   ASSERT_TRUE(node.WaitForConnections());
@@ -170,13 +224,13 @@ TEST(Classifier, TakesANewModelByTopicWithoutARestartAndKeepsItsNames) {
   for (const char* id : {"first", "second"}) {
     model.id = id;
     ros::Publisher publisher = node_handle.advertise<ShapeletModel>("topic/model", 1, true);
-    publisher.publish(ToMessage(model, ros::Time::now()));
+    publisher.publish(ToMessage(model));
     ASSERT_TRUE(diagnostics.WaitForValue("topic/classifier_node", "model", id));
     EXPECT_TRUE(node.Name(0, std::string("zero of ") + id).success);
     Diagnosis diagnosis;
     ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
     EXPECT_EQ(diagnosis.model_id, id);
-    publisher.publish(ToMessage(model, ros::Time::now()));
+    publisher.publish(ToMessage(model));
     const NameCluster::Response response = node.Name(1, "one");
     EXPECT_NE(response.message.find("not saved"), std::string::npos) << response.message;
   }
@@ -191,13 +245,13 @@ TEST(Classifier, TakesNamesThatTheSameModelByTopicGotLater) {
   model.id = "named later";
   for (core::Cluster& cluster : model.clusters) cluster.label.clear();
   ros::Publisher publisher = node_handle.advertise<ShapeletModel>("topic/model", 1, true);
-  publisher.publish(ToMessage(model, ros::Time::now()));
+  publisher.publish(ToMessage(model));
   ASSERT_TRUE(diagnostics.WaitForValue("topic/classifier_node", "model", model.id));
   Diagnosis diagnosis;
   ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
   EXPECT_EQ(diagnosis.event, "cluster_" + std::to_string(diagnosis.cluster));
   for (core::Cluster& cluster : model.clusters) cluster.label = "told";
-  publisher.publish(ToMessage(model, ros::Time::now()));
+  publisher.publish(ToMessage(model));
   EXPECT_TRUE(WaitUntil([&] { return node.Diagnosed(AnEpisode(), &diagnosis) && diagnosis.event == "told"; }));
 }
 
@@ -206,7 +260,7 @@ TEST(Classifier, RefusesABadModelByTopicAndKeepsTheOldOne) {
   RunningClassifier node("file");
   Diagnostics diagnostics;
   ASSERT_TRUE(node.WaitForConnections());
-  ShapeletModel bad = ToMessage(LoadModel(PathParameter("model")), ros::Time::now());
+  ShapeletModel bad = ToMessage(LoadModel(PathParameter("model")));
   bad.model_id = "bad";
   bad.shapelets.front().values.front() = std::numeric_limits<float>::quiet_NaN();
   ros::Publisher publisher = node_handle.advertise<ShapeletModel>("file/model", 1, true);

@@ -1,14 +1,19 @@
 /// The trainer node's action: results, feedback, cancelling, failures.
 
 #include <actionlib/client/simple_action_client.h>
+#include <contact_shapelets/Episode.h>
 #include <contact_shapelets/ShapeletModel.h>
 #include <contact_shapelets/TrainAction.h>
 #include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <iterator>
 #include <mutex>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -89,6 +94,38 @@ TEST(Trainer, TrainsThePapersSetUpByPaperYaml) {
   EXPECT_EQ(model.provenance.objective, "paper");
   EXPECT_EQ(model.provenance.selected_scales, std::vector<double>{0.4});
   EXPECT_EQ(model.log_offset, 0.0);
+}
+
+TEST(Trainer, LeavesOutEpisodesThatLackSamplesAndCountsThem) {
+  const std::string recording = testing::TempDir() + "incomplete.bag";
+  {
+    const rosbag::Bag input(PathParameter("bags") + "/switch_push_test.bag", rosbag::bagmode::Read);
+    rosbag::Bag output(recording, rosbag::bagmode::Write);
+    rosbag::View view(input, rosbag::TypeQuery("contact_shapelets/Episode"));
+    int count = 0;
+    for (const rosbag::MessageInstance& message : view) {
+      Episode episode = *message.instantiate<Episode>();
+      episode.complete = ++count % 9 == 0 ? 0U : 1U;
+      output.write(message.getTopic(), message.getTime(), episode);
+    }
+  }
+  Client client("quick/train", true);
+  ASSERT_TRUE(client.waitForServer(ros::Duration(kLimit)));
+  TrainGoal goal = GoalTo(testing::TempDir() + "of_complete_ones.bag");
+  goal.bags = {recording};
+  client.sendGoal(goal);
+  ASSERT_TRUE(Finished(&client));
+  const TrainResult result = *client.getResult();
+  EXPECT_TRUE(result.success) << result.message;
+  EXPECT_EQ(result.episodes, 40U);
+  EXPECT_EQ(result.incomplete, 5U);
+  EXPECT_NE(result.message.find("5 incomplete ones left out"), std::string::npos) << result.message;
+}
+
+TEST(Trainer, LeavesACoreToTheCell) {
+  Diagnostics diagnostics;
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  EXPECT_TRUE(diagnostics.WaitForValue("quick/trainer_node", "threads", std::to_string(threads)));
 }
 
 TEST(Trainer, CancelledLeavesTheOldModel) {

@@ -37,6 +37,10 @@ class MessageDefinition {
   /// The texts at `path`, a list of strings, in order. \throws std::runtime_error as Numbers() does.
   std::vector<std::string> Texts(const std::string& path, const std::uint8_t* data, std::size_t size) const;
 
+  /// Checks that a serialised message is as long as its array lengths say. Generated code allocates an array of any
+  /// stated length before it looks. \throws std::runtime_error if the message ends early.
+  void CheckLengths(const std::uint8_t* data, std::size_t size) const;
+
  private:
   static constexpr int kAnyCount = -1;
 

@@ -1,4 +1,4 @@
-#include "ros/adapters/message_definition.h"
+#include "ros/messages/message_definition.h"
 
 #include <algorithm>
 #include <cstring>
@@ -42,13 +42,13 @@ std::vector<std::string> Split(const std::string& path) {
 
 }  // namespace
 
-/// One pass over a message up to the end of the field that is looked for.
+/// One pass over a message up to the end of the field that is looked for; where `path` is empty, over all of it.
 class MessageDefinition::Walk {
  public:
   Walk(const MessageDefinition& definition, const std::string& path, const std::uint8_t* data, std::size_t size)
       : definition_(definition), path_(path), names_(Split(path)), next_(data), end_(data + size) {
     Message(definition.datatype_, 0, !names_.empty());
-    if (!found_) throw std::runtime_error(definition.datatype_ + " has no field " + path);
+    if (!found_ && !names_.empty()) throw std::runtime_error(definition.datatype_ + " has no field " + path);
   }
 
   std::vector<double> numbers;
@@ -64,17 +64,25 @@ class MessageDefinition::Walk {
       inside_ = inside_ || target;
       const auto count = field.count == kAnyCount ? static_cast<std::uint32_t>(As<std::uint32_t>(Take(4)))
                                                   : static_cast<std::uint32_t>(field.count);
-      for (std::uint32_t item = 0; item < count; ++item) Item(field.type, depth + 1, fits && !field.array);
+      Items(field.type, count, depth + 1, fits && !field.array);
       if (target) found_ = true;
     }
   }
 
-  void Item(const std::string& type, std::size_t depth, bool on_path) {
+  void Items(const std::string& type, std::uint32_t count, std::size_t depth, bool on_path) {
     const auto number = NumberTypes().find(type);
-    if (number != NumberTypes().end()) {
-      const std::uint8_t* bytes = Take(number->second.size);
-      if (inside_) numbers.push_back(number->second.read(bytes));
-    } else if (type == kString) {
+    if (number == NumberTypes().end()) {
+      for (std::uint32_t item = 0; item < count; ++item) Item(type, depth, on_path);
+      return;
+    }
+    const std::size_t size = number->second.size;
+    const std::uint8_t* bytes = Take(size * count);
+    if (!inside_) return;
+    for (std::uint32_t item = 0; item < count; ++item) numbers.push_back(number->second.read(bytes + size * item));
+  }
+
+  void Item(const std::string& type, std::size_t depth, bool on_path) {
+    if (type == kString) {
       const auto length = static_cast<std::size_t>(As<std::uint32_t>(Take(4)));
       const std::uint8_t* bytes = Take(length);
       if (inside_) texts.emplace_back(bytes, bytes + length);
@@ -85,7 +93,8 @@ class MessageDefinition::Walk {
 
   const std::uint8_t* Take(std::size_t size) {
     if (static_cast<std::size_t>(end_ - next_) < size) {
-      throw std::runtime_error("a message of type " + definition_.datatype_ + " ends before " + path_);
+      throw std::runtime_error("a message of type " + definition_.datatype_ + " ends before " +
+                               (path_.empty() ? "its last field" : path_));
     }
     const std::uint8_t* bytes = next_;
     next_ += size;
@@ -192,5 +201,7 @@ std::vector<std::string> MessageDefinition::Texts(const std::string& path, const
   if (!walk.numbers.empty()) throw std::runtime_error(path + " of " + datatype_ + " holds numbers, expected strings");
   return std::move(walk.texts);
 }
+
+void MessageDefinition::CheckLengths(const std::uint8_t* data, std::size_t size) const { Walk(*this, "", data, size); }
 
 }  // namespace contact_shapelets

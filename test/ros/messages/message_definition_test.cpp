@@ -1,4 +1,4 @@
-#include "ros/adapters/message_definition.h"
+#include "ros/messages/message_definition.h"
 
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <contact_shapelets/ShapeletModel.h>
@@ -38,6 +38,18 @@ TEST(MessageDefinition, FindsAndReadsTheWrenchOfAStampedWrench) {
   EXPECT_EQ(definition.Numbers("wrench.torque.z", bytes.data(), bytes.size()), std::vector<double>{0.75});
   EXPECT_EQ(definition.Numbers("header.stamp", bytes.data(), bytes.size()), (std::vector<double>{1700000000.0, 250.0}));
   EXPECT_EQ(definition.Text("header.frame_id", bytes.data(), bytes.size()), "flange");
+}
+
+TEST(MessageDefinition, NoticesAMessageThatHoldsLessThanItSays) {
+  const auto definition = DefinitionOf<ShapeletModel>();
+  ShapeletModel message;
+  message.shapelets.resize(2);
+  message.shapelets[1].values = {1.0F, 2.0F, 3.0F};
+  auto bytes = Serialised(message);
+  EXPECT_NO_THROW(definition.CheckLengths(bytes.data(), bytes.size()));
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_THROW(definition.CheckLengths(bytes.data(), size), std::runtime_error) << size;
+  }
 }
 
 TEST(MessageDefinition, ReadsBeyondConstantsStringsAndNestedArrays) {
