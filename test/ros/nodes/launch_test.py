@@ -233,7 +233,7 @@ class RecordingBesideDiagnosing(unittest.TestCase):
                 record.end()
             (recording,) = pathlib.Path(folder).glob("day*.bag")
             with rosbag.Bag(str(recording)) as bag:
-                opened = [message.kind for _, message, _ in bag.read_messages("/episode_event")]
+                opened = [message.kind for _, message, _ in bag.read_messages("episode_event")]
             self.assertEqual(opened, [EpisodeEvent.OPEN, EpisodeEvent.CLOSE] * 5)
 
 
