@@ -89,7 +89,6 @@ std::string YamlOf(const Row& row, double value) {
   }
   // A list has as many items as it has to; all but one are at a sound value.
   if (row.type == "double[]") return "[0.5, " + text.str() + "]";
-  if (row.type == "double[4]") return "[0.3, 0.3, 0.3, " + text.str() + "]";
   return text.str();
 }
 
@@ -137,7 +136,7 @@ std::vector<Table> Tables() {
   return {
       {"trainer_node", "config/trainer.yaml", [](ParameterReader* reader) { ReadTrainerOptions(reader); }, 19},
       {"classifier_node", "config/classifier.yaml", [](ParameterReader* reader) { ReadClassifierOptions(reader); }, 1},
-      {"wrench_adapter_node", "", [](ParameterReader* reader) { ReadAdapterOptions(reader); }, 2}};
+      {"wrench_adapter_node", "", [](ParameterReader* reader) { ReadAdapterOptions(reader); }, 1}};
 }
 
 TEST(Bounds, EachNumberIsTakenAtItsExtremesAndRefusedBeyondThem) {
