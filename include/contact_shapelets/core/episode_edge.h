@@ -9,7 +9,7 @@ namespace contact_shapelets::core {
 /// Where an edge comes from.
 enum class EdgeSource {
   kPlain,    ///< a message without a stamp: its time is that of its arrival
-  kStamped,  ///< a message with a stamp: exact, replaces plain ones
+  kStamped,  ///< a message with a stamp: exact, replaces a plain one for the same edge
   kCommand,  ///< a service call
   kContact,  ///< the contact force
 };
@@ -19,7 +19,8 @@ struct EpisodeEdge {
   bool open = true;      ///< opening or closing
   Nanoseconds time = 0;  ///< on the clock of the samples
   EdgeSource source = EdgeSource::kPlain;
-  std::string id;  ///< of the episode; may be empty
+  std::string id;           ///< of the episode; may be empty
+  Nanoseconds arrival = 0;  ///< when this was known, by the clock of arrivals; of a contact, when the force fell
 };
 
 }  // namespace contact_shapelets::core

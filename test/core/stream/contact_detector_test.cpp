@@ -19,7 +19,7 @@ Changes Play(ContactDetector* detector, const Signal& signal, double begin, doub
   const auto count = static_cast<int>(std::lround((end - begin) * rate));
   for (int index = 0; index < count; ++index) {
     const double time = begin + index / rate;
-    const auto change = detector->AddSample({Time(time), AlongZ(signal(time))});
+    const auto change = detector->AddSample({Time(time), AlongZ(signal(time))}, Time(time));
     if (change) changes.push_back(*change);
   }
   return changes;
