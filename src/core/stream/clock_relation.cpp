@@ -18,6 +18,7 @@ constexpr double kGreatestDrift = 0.005;
 constexpr double kLeastTolerance = 5e6;
 constexpr double kSpreadSeconds = 5.0;
 constexpr double kGreatestSpread = 5e7;
+constexpr double kGreatestInterval = 0.05;
 
 }  // namespace
 
@@ -25,6 +26,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
   size_ = 0;
   slope_ = 0.0;
   spread_ = 0.0;
+  spread_duration_ = 0.0;
   last_arrival_ = arrival;
   Open(arrival, delay);
   Fit();
@@ -33,9 +35,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
 bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   const Nanoseconds above = delay - At(arrival);
   if (above < 0) delay_ += above;
-  const double part = std::min(1.0, ToSeconds(arrival - last_arrival_) / kSpreadSeconds);
-  spread_ += part * (std::clamp(static_cast<double>(above), 0.0, kGreatestSpread) - spread_);
-  last_arrival_ = arrival;
+  FollowSpread(arrival, above);
   Bucket& bucket = buckets_[(first_ + size_ - 1) % kBuckets];
   if (arrival < bucket.begin + kBucket) {
     if (delay < bucket.delay) bucket = {bucket.begin, arrival, delay};
@@ -46,6 +46,15 @@ bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   Fit();
   Open(arrival, delay);
   return risen;
+}
+
+/// The backlog after a stall says nothing of the usual jitter, and arrives at once.
+void ClockRelation::FollowSpread(Nanoseconds arrival, Nanoseconds above) {
+  const double interval = std::clamp(ToSeconds(arrival - last_arrival_), 0.0, kGreatestInterval);
+  last_arrival_ = arrival;
+  if (interval == 0.0) return;
+  spread_duration_ = std::min(kSpreadSeconds, spread_duration_ + interval);
+  spread_ += interval / spread_duration_ * (std::clamp(static_cast<double>(above), 0.0, kGreatestSpread) - spread_);
 }
 
 Nanoseconds ClockRelation::Tolerance() const {
@@ -79,6 +88,7 @@ void ClockRelation::Keep(std::size_t count) {
   first_ = (first_ + size_ - count) % kBuckets;
   size_ = count;
   spread_ = 0.0;
+  spread_duration_ = 0.0;
 }
 
 /// The edge of the lower convex hull over the middle of the window is the line below all points that is nearest to

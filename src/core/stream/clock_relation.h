@@ -28,6 +28,8 @@ class ClockRelation {
   }
   /// Whether a message with this delay took longer than the transport's usual jitter explains.
   bool IsLate(Nanoseconds arrival, Nanoseconds delay) const { return delay - At(arrival) > Tolerance(); }
+  /// What messages are later than the least delay, in the mean.
+  Nanoseconds spread() const { return static_cast<Nanoseconds>(spread_); }
   /// Drift of the stamps' clock, [s/s] that delays grow.
   double drift() const { return slope_; }
 
@@ -42,6 +44,7 @@ class ClockRelation {
 
   const Bucket& BucketAt(std::size_t index) const { return buckets_[(first_ + index) % kBuckets]; }
   Nanoseconds Tolerance() const;
+  void FollowSpread(Nanoseconds arrival, Nanoseconds above);
   void Open(Nanoseconds arrival, Nanoseconds delay);
   bool HasRisen() const;
   void Keep(std::size_t count);
@@ -53,7 +56,8 @@ class ClockRelation {
   Nanoseconds origin_ = 0;
   Nanoseconds delay_ = 0;  ///< of the line at `origin_`
   double slope_ = 0.0;
-  double spread_ = 0.0;  ///< [ns] running mean of delays above the line
+  double spread_ = 0.0;          ///< [ns] running mean of delays above the line
+  double spread_duration_ = 0.0;  ///< [s] that it is the mean of
   Nanoseconds last_arrival_ = 0;
 };
 

@@ -177,7 +177,7 @@ bool EpisodeSegmenter::TakeStamped(const PlacedEdge& placed, Nanoseconds now) {
   if (IsStale(edge)) return true;
   if (!edge.open) {
     single_stamps_[0] = edge.time;
-    ProveOpening(placed);
+    if (IsOpen()) ProveOpening(placed, &intervals_.back());
     return false;
   }
   if (!IsOpen()) {
@@ -216,10 +216,12 @@ bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now)
   for (auto interval = intervals_.rbegin(); interval != intervals_.rend(); ++interval) {
     if (!interval->awaits_stamp || std::abs(time - interval->close) > FromSeconds(options_.edge_match_window)) continue;
     interval->awaits_stamp = false;
+    ProveOpening(placed, &*interval);
     if (last_close_ == interval->close) last_close_ = std::max(time, interval->open);
     interval->close = std::clamp(time, interval->open, interval->open + FromSeconds(options_.max_duration));
     interval->deadline = now + placed.ahead + FromSeconds(options_.edge_wait);
     interval->closing.time = interval->close;
+    interval->closing.id = interval->id;
     interval->closing.source = placed.edge.source;
     edges_.push_back(interval->closing);
     return true;
@@ -229,15 +231,14 @@ bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now)
 
 /// A stamp that came long after its time may be of a slow sender or of a clock that is off. The closing tells: an offset
 /// of clocks is the same for both.
-void EpisodeSegmenter::ProveOpening(const PlacedEdge& closing) {
-  if (!IsOpen() || intervals_.back().source != EdgeSource::kStamped) return;
-  Interval& interval = intervals_.back();
-  const Nanoseconds open =
-      std::max(closing.clock_is_off ? interval.open_by_arrival : interval.open_by_stamp, last_close_);
-  if (open == interval.open) return;
-  if (interval.id == NameByTime(interval.open)) interval.id = NameByTime(open);
-  interval.open = open;
-  edges_.push_back({true, open, interval.source, interval.id, interval.closing.arrival});
+void EpisodeSegmenter::ProveOpening(const PlacedEdge& closing, Interval* interval) {
+  if (interval->source != EdgeSource::kStamped) return;
+  const Nanoseconds proven = closing.clock_is_off ? interval->open_by_arrival : interval->open_by_stamp;
+  const Nanoseconds open = std::max(proven, interval->earliest);
+  if (open == interval->open) return;
+  if (interval->id == NameByTime(interval->open)) interval->id = NameByTime(open);
+  interval->open = open;
+  edges_.push_back({true, open, interval->source, interval->id, interval->opening_arrival});
 }
 
 void EpisodeSegmenter::Open(const PlacedEdge& placed, Nanoseconds now) {
@@ -249,7 +250,8 @@ void EpisodeSegmenter::Open(const PlacedEdge& placed, Nanoseconds now) {
   interval.open_by_stamp = placed.by_stamp;
   interval.open_by_arrival = placed.by_arrival;
   interval.opened = now;
-  interval.closing.arrival = edge.arrival;
+  interval.opening_arrival = edge.arrival;
+  interval.earliest = last_close_;
   edges_.push_back({true, edge.time, edge.source, interval.id, edge.arrival});
   intervals_.push_back(std::move(interval));
 }

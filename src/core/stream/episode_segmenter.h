@@ -84,6 +84,8 @@ class EpisodeSegmenter {
     Nanoseconds open = 0;
     Nanoseconds open_by_stamp = 0;
     Nanoseconds open_by_arrival = 0;
+    Nanoseconds earliest = 0;  ///< the end of the one before
+    Nanoseconds opening_arrival = 0;
     Nanoseconds opened = 0;  ///< on the clock of arrivals, as the next
     Nanoseconds deadline = 0;
     Nanoseconds close = 0;
@@ -99,7 +101,7 @@ class EpisodeSegmenter {
   bool TakeStamped(const PlacedEdge& placed, Nanoseconds now);
   void CorrectOpening(const PlacedEdge& placed);
   bool CorrectClosing(const PlacedEdge& placed, Nanoseconds now);
-  void ProveOpening(const PlacedEdge& closing);
+  void ProveOpening(const PlacedEdge& closing, Interval* interval);
   void Open(const PlacedEdge& placed, Nanoseconds now);
   void Close(const EpisodeEdge& closing, EndReason reason, Nanoseconds now, Nanoseconds ahead = 0);
   void EndByStream(Nanoseconds now, EpisodeFault fault);

@@ -46,10 +46,13 @@ class StreamClock {
   /// True while the last sample came so late that either the transport lags or a clock was set.
   bool is_in_doubt() const { return in_doubt_; }
 
-  /// An arrival on the samples' clock.
+  /// An arrival on the samples' clock, by the fastest messages: no message that arrived then was sent later.
   Nanoseconds FromArrival(Nanoseconds arrival) const {
     return last_stamp_ == 0 ? arrival : arrival - relation_.At(arrival);
   }
+  /// What a message on another connection is later than the fastest, by the best guess; 0 without stamps. Wrenches keep
+  /// their order, and wait for one another: their mean is above that.
+  Nanoseconds usual_delay() const { return last_stamp_ == 0 ? 0 : relation_.spread() * 3 / 4; }
   /// Arrival less stamp of the fastest messages; 0 without stamps.
   Nanoseconds offset() const { return last_stamp_ == 0 ? 0 : relation_.At(last_arrival_); }
   /// [s/s] that the driver's clock is slow; below 0 where it is fast.

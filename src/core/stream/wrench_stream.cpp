@@ -118,21 +118,25 @@ void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
       std::abs(edge.before - edge.last_time) < std::abs(time - edge.last_time)) {
     time = edge.before;
   }
+  const Nanoseconds earliest = time;
+  // Edges take as long as wrenches do: by the mean, half the jitter is the greatest error.
+  time -= clock.usual_delay();
   PlacedEdge placed{edge.edge, time, time, false, 0};
   if (edge.edge.source == EdgeSource::kStamped) {
     const Nanoseconds stamp = edge.edge.time;
+    const Nanoseconds lateness = earliest - stamp;
     const Nanoseconds longest = FromSeconds(options.max_duration + options.stream_timeout);
-    placed.clock_is_off = trust.IsClockOff(edge.sender, time - stamp, longest);
-    placed.by_stamp = std::abs(time - stamp) > longest ? time : stamp;
+    placed.clock_is_off = trust.IsClockOff(edge.sender, lateness, longest);
+    placed.by_stamp = std::abs(lateness) > longest ? time : stamp;
     if (placed.clock_is_off) {
       ++counts.distrusted_edges;
-      counts.edge_lateness = ToSeconds(time - stamp);
-    } else if (time - stamp <= FromSeconds(options.stream_timeout)) {
+      counts.edge_lateness = ToSeconds(lateness);
+    } else if (lateness <= FromSeconds(options.stream_timeout)) {
       time = stamp;
     }
   }
   placed.edge.time = time;
-  placed.ahead = std::max<Nanoseconds>(0, time - placed.by_arrival);
+  placed.ahead = std::max<Nanoseconds>(0, time - earliest);
   segmenter.AddEdge(placed, at);
 }
 

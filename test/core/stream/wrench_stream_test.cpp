@@ -165,20 +165,20 @@ TEST(WrenchStream, AnEdgeWithAStampOfZeroCountsAtItsArrival) {
 TEST(WrenchStream, AnEdgeBeforeTheFirstWrenchWaitsForTheClockOfTheStamps) {
   for (const double offset : {0.0, -1e5, 1e5}) {
     WrenchStream stream(Options());
-    stream.AddPlainEdge(true, Time(1e6 + 1.0));
-    stream.AdvanceTo(Time(1e6 + 1.9));
+    stream.AddPlainEdge(true, Time(1e4 + 1.0));
+    stream.AdvanceTo(Time(1e4 + 1.9));
     EXPECT_EQ(stream.Summary().waiting_edges, 1);
-    Feed(&stream, 1e6 + 2.0, 1e6 + 3.0, offset);
+    Feed(&stream, 1e4 + 2.0, 1e4 + 3.0, offset);
     EXPECT_EQ(stream.Summary().waiting_edges, 0);
-    stream.AddPlainEdge(false, Time(1e6 + 3.0));
-    Feed(&stream, 1e6 + 3.0, 1e6 + 4.0, offset);
+    stream.AddPlainEdge(false, Time(1e4 + 3.0));
+    Feed(&stream, 1e4 + 3.0, 1e4 + 4.0, offset);
     const Episode first = Only(&stream);
-    EXPECT_EQ(first.start, Time(1e6 + 1.0 + offset));
+    EXPECT_EQ(first.start, Time(1e4 + 1.0 + offset));
     EXPECT_FALSE(first.complete) << "its first second is missing";
-    stream.AddPlainEdge(true, Time(1e6 + 4.0));
-    Feed(&stream, 1e6 + 4.0, 1e6 + 5.0, offset);
-    stream.AddPlainEdge(false, Time(1e6 + 5.0));
-    Feed(&stream, 1e6 + 5.0, 1e6 + 5.1, offset);
+    stream.AddPlainEdge(true, Time(1e4 + 4.0));
+    Feed(&stream, 1e4 + 4.0, 1e4 + 5.0, offset);
+    stream.AddPlainEdge(false, Time(1e4 + 5.0));
+    Feed(&stream, 1e4 + 5.0, 1e4 + 5.1, offset);
     EXPECT_TRUE(Only(&stream).complete);
   }
 }
