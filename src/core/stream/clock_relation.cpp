@@ -17,7 +17,6 @@ constexpr double kGreatestDrift = 0.005;
 /// A line that is off by less does no harm.
 constexpr double kLeastTolerance = 5e6;
 constexpr double kSpreadSeconds = 5.0;
-constexpr double kGreatestSpread = 5e7;
 constexpr double kGreatestInterval = 0.05;
 
 }  // namespace
@@ -27,7 +26,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
   slope_ = 0.0;
   spread_ = 0.0;
   spread_duration_ = 0.0;
-  last_arrival_ = arrival;
+  last_stamp_ = arrival - delay;
   Open(arrival, delay);
   Fit();
 }
@@ -35,7 +34,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
 bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   const Nanoseconds above = delay - At(arrival);
   if (above < 0) delay_ += above;
-  FollowSpread(arrival, above);
+  FollowSpread(arrival - delay, above);
   Bucket& bucket = buckets_[(first_ + size_ - 1) % kBuckets];
   if (arrival < bucket.begin + kBucket) {
     if (delay < bucket.delay) bucket = {bucket.begin, arrival, delay};
@@ -48,13 +47,15 @@ bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   return risen;
 }
 
-/// The backlog after a stall says nothing of the usual jitter, and arrives at once.
-void ClockRelation::FollowSpread(Nanoseconds arrival, Nanoseconds above) {
-  const double interval = std::clamp(ToSeconds(arrival - last_arrival_), 0.0, kGreatestInterval);
-  last_arrival_ = arrival;
+/// Samples count by the time between their stamps. A backlog after a stall says nothing of the usual jitter: what is far
+/// above it counts for little.
+void ClockRelation::FollowSpread(Nanoseconds stamp, Nanoseconds above) {
+  const double interval = std::clamp(ToSeconds(stamp - last_stamp_), 0.0, kGreatestInterval);
+  last_stamp_ = stamp;
   if (interval == 0.0) return;
   spread_duration_ = std::min(kSpreadSeconds, spread_duration_ + interval);
-  spread_ += interval / spread_duration_ * (std::clamp(static_cast<double>(above), 0.0, kGreatestSpread) - spread_);
+  const double counted = std::clamp(static_cast<double>(above), 0.0, 2.0 * spread_ + kLeastTolerance);
+  spread_ += interval / spread_duration_ * (counted - spread_);
 }
 
 Nanoseconds ClockRelation::Tolerance() const {

@@ -44,7 +44,7 @@ class ClockRelation {
 
   const Bucket& BucketAt(std::size_t index) const { return buckets_[(first_ + index) % kBuckets]; }
   Nanoseconds Tolerance() const;
-  void FollowSpread(Nanoseconds arrival, Nanoseconds above);
+  void FollowSpread(Nanoseconds stamp, Nanoseconds above);
   void Open(Nanoseconds arrival, Nanoseconds delay);
   bool HasRisen() const;
   void Keep(std::size_t count);
@@ -58,7 +58,7 @@ class ClockRelation {
   double slope_ = 0.0;
   double spread_ = 0.0;          ///< [ns] running mean of delays above the line
   double spread_duration_ = 0.0;  ///< [s] that it is the mean of
-  Nanoseconds last_arrival_ = 0;
+  Nanoseconds last_stamp_ = 0;
 };
 
 }  // namespace contact_shapelets::core

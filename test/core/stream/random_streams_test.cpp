@@ -110,7 +110,7 @@ class Cell {
     if (fault == 8) f.repeated = random_.Uniform(0.0, 0.2);
     if (fault == 9) f.lost = random_.Uniform(0.0, 0.02);
     if (fault == 10) { f.early_events = Signed(0.2, 1.0); f.edges = 1; }
-    if (fault == 11) f.lost_edge = random_.Index(8);
+    if (fault == 11) { f.lost_edge = random_.Index(8); f.edges = random_.Index(4); }
     if (fault == 12) { f.stall_at = At(); f.stall = random_.Uniform(0.05, 0.8); }
   }
 
@@ -134,7 +134,6 @@ class Cell {
       if (Chance(f.zero_stamps)) message.stamp = 0;
       message.arrived = message.sent + f.latency + random_.Uniform(0.0, f.jitter);
       if (message.arrived >= f.stall_at) message.arrived = std::max(message.arrived, f.stall_at + f.stall);
-      if (message.sent >= f.stall_at + f.stall) message.arrived = message.sent + f.latency;
       // One connection keeps its order.
       message.arrived = last_arrival = std::max(message.arrived, last_arrival + 1e-5);
       if (Chance(f.lost)) continue;
@@ -317,7 +316,10 @@ void ExpectTruth(const Result& result, const Cell& cell, int seed, const char* w
   for (const Episode& episode : result.episodes) {
     if (Agrees(episode, cell, tolerance) || IsReported(episode, cell, result.summary)) continue;
     const Truth seen = TruthOf(episode);
-    ADD_FAILURE() << way << ' ' << seen.open << " to " << seen.close << ", tolerance " << tolerance << "; "
+    const Truth nearest = *std::min_element(cell.truth().begin(), cell.truth().end(), [&](const auto& a, const auto& b) {
+      return std::abs(a.open - seen.open) < std::abs(b.open - seen.open);
+    });
+    ADD_FAILURE() << "in truth " << nearest.open << " to " << nearest.close << ", but " << way << ' ' << seen.open << " to " << seen.close << ", tolerance " << tolerance << "; "
                   << Describe(seed, cell);
   }
 }
