@@ -8,10 +8,12 @@ namespace {
 /// [N/s] Drift is slower, contact is faster.
 constexpr double kGreatestDrift = 1.5;
 /// [s] Time constants of the two means that the slope is taken from.
-constexpr double kFast = 0.25;
-constexpr double kSlow = 1.0;
+constexpr double kFast = 0.1;
+constexpr double kSlow = 0.4;
 /// That the force has to be quiet before it is taken to rest.
 constexpr Nanoseconds kQuiet = 500'000'000;
+/// That the force may move before that is no change of the free-air force, as a change of pose makes it.
+constexpr Nanoseconds kMove = 750'000'000;
 
 }  // namespace
 
@@ -40,7 +42,7 @@ std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSa
 void ContactDetector::FollowMeans(const WrenchSample& sample) {
   if (!started_) {
     started_ = true;
-    last_time_ = quiet_since_ = sample.time;
+    last_time_ = quiet_since_ = moving_since_ = sample.time;
     fast_mean_ = slow_mean_ = sample.force;
   }
   interval_ = ToSeconds(sample.time - last_time_);
@@ -49,7 +51,11 @@ void ContactDetector::FollowMeans(const WrenchSample& sample) {
   fast_mean_ += std::min(1.0, interval_ / kFast) * (sample.force - fast_mean_);
   slow_mean_ += std::min(1.0, interval_ / kSlow) * (sample.force - slow_mean_);
   const double slope = (fast_mean_ - slow_mean_).norm() / (kSlow - kFast);
-  if (slope >= kGreatestDrift) quiet_since_ = sample.time;
+  if (slope >= kGreatestDrift) {
+    quiet_since_ = sample.time;
+  } else {
+    moving_since_ = sample.time;
+  }
 }
 
 bool ContactDetector::IsFreeAirAnew(Nanoseconds time) {
@@ -66,8 +72,7 @@ std::optional<ContactDetector::Change> ContactDetector::Cross(const WrenchSample
   const bool beyond = in_contact_ ? magnitude < options_.contact_off : magnitude > options_.contact_on;
   if (!beyond) {
     crossing_ = false;
-    const bool quiet = sample.time > quiet_since_;
-    if (!in_contact_ && quiet && magnitude < options_.contact_off) {
+    if (!in_contact_ && sample.time - moving_since_ < kMove) {
       baseline_ += std::min(1.0, interval_ / options_.baseline_duration) * (sample.force - baseline_);
     }
     return std::nullopt;

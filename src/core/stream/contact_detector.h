@@ -13,12 +13,12 @@ namespace contact_shapelets::core {
 
 /// Decides on contact from the force alone.
 ///
-/// The baseline starts once the force was quiet for half a second: its mean over a second changes by less than 1.5 N/s.
-/// From then on it follows the force with the time constant `baseline_duration`, but only while there is no contact and
-/// the force is within contact_off and quiet. A contact that rises more slowly is taken for drift.
+/// The baseline starts once the force was quiet for half a second: it moves by less than 1.5 N/s. From then on it
+/// follows the force with the time constant `baseline_duration`, but not in contact, and not while the force has moved
+/// for more than 0.75 s: a change of pose is shorter, drift is slower, and what is neither is a slow contact.
 ///
-/// A force that comes to rest, is left by more than contact_on and returns to rest at the same place is free air,
-/// whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
+/// A force that comes to rest within a contact, is left by more than contact_on and returns to rest at the same place is
+/// free air, whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
 class ContactDetector {
  public:
   /// Uses the parameters contact_*, pre_trigger and baseline_duration of `options`.
@@ -53,7 +53,8 @@ class ContactDetector {
   Nanoseconds crossing_arrival_ = 0;
   Nanoseconds last_time_ = 0;
   double interval_ = 0.0;        ///< [s] since the last sample
-  Nanoseconds quiet_since_ = 0;  ///< `last_time_` where the force is not quiet
+  Nanoseconds quiet_since_ = 0;   ///< when the force last moved
+  Nanoseconds moving_since_ = 0;  ///< when the force was last quiet
   bool left_rest_ = false;       ///< the force was more than contact_on from `rest_`
   std::optional<Eigen::Vector3d> rest_;  ///< where the force last rested within the contact
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();

@@ -67,6 +67,7 @@ struct WrenchStream::Parts {
 
 /// Time passes by the differences of arrivals; a clock that was set back lets none pass.
 Nanoseconds WrenchStream::Parts::TakeArrival(Nanoseconds arrival) {
+  if (last_arrival == 0) now = arrival;
   const Nanoseconds passed = last_arrival == 0 ? 0 : arrival - last_arrival;
   if (passed < 0 && passed >= -kReordered) return now + passed;
   last_arrival = arrival;
@@ -136,6 +137,7 @@ void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
     }
   }
   placed.edge.time = time;
+  placed.edge.arrival = edge.now;
   placed.ahead = std::max<Nanoseconds>(0, time - earliest);
   segmenter.AddEdge(placed, at);
 }
