@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <utility>
 
 namespace contact_shapelets::core {
 namespace {
@@ -26,6 +26,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
   slope_ = 0.0;
   spread_ = 0.0;
   spread_duration_ = 0.0;
+  was_early_ = false;
   last_stamp_ = arrival - delay;
   Open(arrival, delay);
   Fit();
@@ -33,6 +34,10 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
 
 bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   const Nanoseconds above = delay - At(arrival);
+  const bool early = above < -static_cast<Nanoseconds>(kLeastTolerance);
+  // A single early stamp is a wrong one.
+  if (early && !std::exchange(was_early_, early)) return false;
+  was_early_ = early;
   if (above < 0) delay_ += above;
   FollowSpread(arrival - delay, above);
   Bucket& bucket = buckets_[(first_ + size_ - 1) % kBuckets];
