@@ -19,6 +19,7 @@
 #include "ros/bags/bag_topics.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/publisher_watch.h"
 #include "ros/messages/topics.h"
 
 namespace contact_shapelets::cli {
@@ -48,6 +49,11 @@ class WrenchFollower {
     last_arrival_ = arrival;
     frames_.insert(wrench.header.frame_id);
     stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
+    stream_.TakeEpisodes();
+    stream_.TakeEdges();
+  }
+  void SetPublisher(const boost::shared_ptr<ros::M_string>& header) {
+    if (const auto publisher = publisher_.Next(header)) stream_.SetPublisher(*publisher);
   }
 
   WrenchTopic Result(const std::string& name) const {
@@ -62,6 +68,7 @@ class WrenchFollower {
 
  private:
   core::WrenchStream stream_;
+  PublisherWatch publisher_;
   std::set<std::string> frames_;
   int messages_ = 0;
   core::Nanoseconds first_arrival_ = 0;
@@ -111,6 +118,7 @@ class Reading {
     if (wrench != wrenches_.end()) {
       const auto content = message.instantiate<geometry_msgs::WrenchStamped>();
       if (!content) throw std::runtime_error(message.getTopic() + " holds " + kWrenchType + " of another version");
+      wrench->second->SetPublisher(message.getConnectionHeader());
       wrench->second->Take(*content, ToNanoseconds(message.getTime()));
     }
     const auto marker = markers_.find(message.getTopic());
@@ -159,6 +167,7 @@ EpisodesFound FindEpisodes(const std::string& path, const std::string& way, cons
     BagContents contents = ReadEpisodes(path, options);
     found.episodes = std::move(contents.episodes);
     found.dropped = contents.dropped_episodes;
+    found.stream = contents.stream;
   } catch (const std::exception& error) {
     found.reason = error.what();
     for (const std::string& prefix : {path + ": ", std::string("expected at least one episode, but ")}) {
@@ -185,7 +194,7 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
     options.wrench_topic = wrench.name;
     const auto find = [&](bool possible, const char* way, core::Segmentation segmentation, const char* reason) {
       options.segmentation.segmentation = segmentation;
-      wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, reason});
+      wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, {}, reason});
     };
     find(edges, "trigger", core::Segmentation::kTrigger, "no episode_active (std_msgs/Bool) or episode_event topic");
     find(true, "contact", core::Segmentation::kContact, "");
@@ -195,19 +204,19 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
 }
 
 void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<core::Finding>* findings) {
-  const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),
-                                        [](const core::Episode& episode) { return !episode.complete; });
-  if (incomplete > 0) {
-    findings->push_back(
-        {core::Severity::kWarning,
-         where + Count(static_cast<std::size_t>(incomplete), "episode") + " incomplete (" + found.way + ")",
-         "samples are missing within, or the recording ended first: leave the bag open longer"});
+  const std::string way = " (" + found.way + ")";
+  const auto add = [&](std::size_t count, const char* what, const char* remedy) {
+    if (count > 0) findings->push_back({core::Severity::kWarning, where + Count(count, "episode") + what + way, remedy});
+  };
+  if (found.stream.samples == 0) {
+    const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),
+                                          [](const core::Episode& episode) { return !episode.complete; });
+    add(static_cast<std::size_t>(incomplete), " incomplete",
+        "samples are missing within, or the recording ended first: leave the bag open longer");
+    add(static_cast<std::size_t>(found.dropped), " dropped", "without a series of at least two samples");
   }
-  if (found.dropped > 0) {
-    findings->push_back(
-        {core::Severity::kWarning,
-         where + Count(static_cast<std::size_t>(found.dropped), "episode") + " dropped (" + found.way + ")",
-         "shorter than min_duration or without a sample: check that trigger and wrench overlap"});
+  for (const core::Finding& finding : core::EpisodeFindingsOf(found.stream)) {
+    findings->push_back({finding.severity, where + finding.text + way, finding.remedy});
   }
 }
 

@@ -19,6 +19,7 @@ struct EpisodesFound {
   std::string way;                      ///< "recorded", "trigger", "contact" or "action"
   std::vector<core::Episode> episodes;  ///< none where `reason` says why
   int dropped = 0;                      ///< too short, or without a sample
+  core::StreamSummary stream;           ///< of the wrench that they were cut from; no samples if they were recorded
   std::string reason;                   ///< why there is none
 };
 

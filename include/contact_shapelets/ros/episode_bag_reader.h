@@ -22,7 +22,7 @@ struct BagReaderOptions {
 /// What was in one bag.
 struct BagContents {
   std::vector<core::Episode> episodes;  ///< in order of their ends, with the outcomes that the bag gives them
-  core::StreamSummary stream;           ///< of the wrench; without samples where Episode messages were read
+  core::StreamSummary stream;           ///< of the wrench and of what was cut; no samples if Episode messages were read
   int dropped_episodes = 0;             ///< too short, or without a sample
 };
 

@@ -3,36 +3,93 @@
 #include <algorithm>
 
 namespace contact_shapelets::core {
+namespace {
 
-std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSample& sample) {
-  if (!started_) {
-    started_ = true;
-    baseline_ = sample.force;
-    last_time_ = sample.time;
+/// [N/s] Drift is slower, contact is faster.
+constexpr double kGreatestDrift = 1.5;
+/// [s] Time constants of the two means that the slope is taken from.
+constexpr double kFast = 0.1;
+constexpr double kSlow = 0.4;
+/// That the force has to be quiet before it is taken to rest.
+constexpr Nanoseconds kQuiet = 500'000'000;
+/// That the force may move before that is no change of the free-air force, as a change of pose makes it.
+constexpr Nanoseconds kMove = 750'000'000;
+
+}  // namespace
+
+std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSample& sample, Nanoseconds arrival) {
+  FollowMeans(sample);
+  if (!has_baseline_) {
+    if (sample.time - quiet_since_ < kQuiet) return std::nullopt;
+    has_baseline_ = true;
+    baseline_ = slow_mean_;
   }
-  const double interval = ToSeconds(sample.time - last_time_);
-  last_time_ = sample.time;
-  last_force_ = sample.force;
   if (free_air_ && (sample.force - *free_air_).norm() < options_.contact_off) {
     baseline_ = *free_air_;
     free_air_.reset();
   }
+  if (in_contact_ && IsFreeAirAnew(sample.time)) {
+    in_contact_ = false;
+    crossing_ = false;
+    free_air_ = baseline_;
+    baseline_ = *rest_;
+    return Change{false, sample.time, arrival, true};
+  }
+  return Cross(sample, arrival);
+}
+
+/// The difference of two running means of unlike time constants is the slope times the difference of these.
+void ContactDetector::FollowMeans(const WrenchSample& sample) {
+  if (!started_) {
+    started_ = true;
+    last_time_ = quiet_since_ = moving_since_ = sample.time;
+    fast_mean_ = slow_mean_ = sample.force;
+  }
+  interval_ = ToSeconds(sample.time - last_time_);
+  last_time_ = sample.time;
+  last_force_ = sample.force;
+  fast_mean_ += std::min(1.0, interval_ / kFast) * (sample.force - fast_mean_);
+  slow_mean_ += std::min(1.0, interval_ / kSlow) * (sample.force - slow_mean_);
+  const double slope = (fast_mean_ - slow_mean_).norm() / (kSlow - kFast);
+  if (slope >= kGreatestDrift) {
+    quiet_since_ = sample.time;
+  } else {
+    moving_since_ = sample.time;
+  }
+}
+
+bool ContactDetector::IsFreeAirAnew(Nanoseconds time) {
+  if (rest_ && (fast_mean_ - *rest_).norm() > options_.contact_on) left_rest_ = true;
+  if (time - quiet_since_ < kQuiet) return false;
+  const bool returned = rest_ && left_rest_ && (slow_mean_ - *rest_).norm() < 0.5 * options_.contact_off;
+  left_rest_ = false;
+  rest_ = slow_mean_;
+  return returned;
+}
+
+std::optional<ContactDetector::Change> ContactDetector::Cross(const WrenchSample& sample, Nanoseconds arrival) {
   const double magnitude = (sample.force - baseline_).norm();
   const bool beyond = in_contact_ ? magnitude < options_.contact_off : magnitude > options_.contact_on;
   if (!beyond) {
     crossing_ = false;
-    if (!in_contact_) baseline_ += std::min(1.0, interval / options_.baseline_duration) * (sample.force - baseline_);
+    if (!in_contact_ && sample.time - moving_since_ < kMove) {
+      baseline_ += std::min(1.0, interval_ / options_.baseline_duration) * (sample.force - baseline_);
+    }
     return std::nullopt;
   }
   if (!crossing_) {
     crossing_ = true;
     crossing_since_ = sample.time;
+    crossing_arrival_ = arrival;
   }
   const double hold = in_contact_ ? options_.contact_hold_off : options_.contact_hold_on;
   if (sample.time - crossing_since_ < FromSeconds(hold)) return std::nullopt;
   crossing_ = false;
   in_contact_ = !in_contact_;
-  return Change{in_contact_, in_contact_ ? crossing_since_ - FromSeconds(options_.pre_trigger) : sample.time};
+  rest_.reset();
+  left_rest_ = false;
+  const Nanoseconds time = in_contact_ ? crossing_since_ - FromSeconds(options_.pre_trigger) : sample.time;
+  return Change{in_contact_, time, crossing_arrival_, false};
 }
 
 void ContactDetector::EndContact() {

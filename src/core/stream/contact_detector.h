@@ -12,6 +12,13 @@
 namespace contact_shapelets::core {
 
 /// Decides on contact from the force alone.
+///
+/// The baseline starts once the force was quiet for half a second: it moves by less than 1.5 N/s. From then on it
+/// follows the force with the time constant `baseline_duration`, but not in contact, and not while the force has moved
+/// for more than 0.75 s: a change of pose is shorter, drift is slower, and what is neither is a slow contact.
+///
+/// A force that comes to rest within a contact, is left by more than contact_on and returns to rest at the same place is
+/// free air, whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
 class ContactDetector {
  public:
   /// Uses the parameters contact_*, pre_trigger and baseline_duration of `options`.
@@ -19,25 +26,40 @@ class ContactDetector {
 
   /// A change of contact.
   struct Change {
-    bool contact;      ///< true where contact began
-    Nanoseconds time;  ///< when the episode begins (the pre-trigger time before the contact) or ends
+    bool contact;         ///< true where contact began
+    Nanoseconds time;     ///< when the episode begins (the pre-trigger time before the contact) or ends
+    Nanoseconds arrival;  ///< when the force crossed the threshold, by the clock of arrivals
+    bool zero_moved;      ///< the contact ends since its force turned out to be that of free air
   };
 
-  /// Takes the next sample; returns a change where this sample decides one.
-  std::optional<Change> AddSample(const WrenchSample& sample);
+  /// Takes the next sample, which came at `arrival`; returns a change where this sample decides one.
+  std::optional<Change> AddSample(const WrenchSample& sample, Nanoseconds arrival);
 
   /// Ends the contact and takes the present force for the new baseline, so that a lasting force does not trigger again.
   /// The old baseline returns once the force is within contact_off of it: letting go is no contact.
   void EndContact();
 
  private:
+  void FollowMeans(const WrenchSample& sample);
+  bool IsFreeAirAnew(Nanoseconds time);
+  std::optional<Change> Cross(const WrenchSample& sample, Nanoseconds arrival);
+
   SegmentationOptions options_;
   bool started_ = false;
+  bool has_baseline_ = false;
   bool in_contact_ = false;
   bool crossing_ = false;  ///< the force is beyond the threshold that would change the state
   Nanoseconds crossing_since_ = 0;
+  Nanoseconds crossing_arrival_ = 0;
   Nanoseconds last_time_ = 0;
+  double interval_ = 0.0;        ///< [s] since the last sample
+  Nanoseconds quiet_since_ = 0;   ///< when the force last moved
+  Nanoseconds moving_since_ = 0;  ///< when the force was last quiet
+  bool left_rest_ = false;       ///< the force was more than contact_on from `rest_`
+  std::optional<Eigen::Vector3d> rest_;  ///< where the force last rested within the contact
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d fast_mean_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d slow_mean_ = Eigen::Vector3d::Zero();
   std::optional<Eigen::Vector3d> free_air_;  ///< the baseline before a contact that was ended by EndContact()
   Eigen::Vector3d baseline_ = Eigen::Vector3d::Zero();
 };

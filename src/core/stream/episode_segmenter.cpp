@@ -1,22 +1,25 @@
 #include "core/stream/episode_segmenter.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <limits>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
+#include "core/stream/episode_faults.h"
 #include "core/stream/resampler.h"
 
 namespace contact_shapelets::core {
 namespace {
 
 constexpr double kGreatestRate = 2000.0;
+/// [s] that edges wait at most for their place.
+constexpr double kPlacing = 2.0;
 
 std::size_t BufferCapacity(const SegmentationOptions& options) {
   const double before = std::max(options.tare_duration, options.pre_trigger + options.contact_hold_on);
-  return static_cast<std::size_t>((options.max_duration + before + options.stream_timeout + 1.0) * kGreatestRate);
+  return static_cast<std::size_t>((options.max_duration + before + options.stream_timeout + kPlacing + 1.0) *
+                                  kGreatestRate);
 }
 
 SegmentationOptions Checked(const SegmentationOptions& options) {
@@ -35,100 +38,109 @@ std::string NameByTime(Nanoseconds time) {
 
 }  // namespace
 
-void EpisodeSegmenter::Buffer::Add(const WrenchSample& sample) {
-  if (size_ < samples_.size()) {
-    samples_[(first_ + size_) % samples_.size()] = sample;
-    ++size_;
-  } else {
-    samples_[first_] = sample;
-    first_ = (first_ + 1) % samples_.size();
-  }
-}
-
-std::vector<WrenchSample> EpisodeSegmenter::Buffer::Between(Nanoseconds begin, Nanoseconds end) const {
-  std::size_t low = size_;
-  while (low > 0 && (*this)[low - 1].time >= begin) --low;
-  std::vector<WrenchSample> between;
-  for (; low < size_ && (*this)[low].time <= end; ++low) between.push_back((*this)[low]);
-  return between;
-}
-
 EpisodeSegmenter::EpisodeSegmenter(const SegmentationOptions& options)
     : options_(Checked(options)), contact_(options_), buffer_(BufferCapacity(options_)) {}
 
 void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   // A stream that paused for long ends the episode before its next sample counts. It paused by its own times alone: the
   // backlog of a busy machine arrives late, but whole.
-  if (!buffer_.empty()) EndIfPaused(buffer_.back().time, sample.time, now);
+  if (IsOpen() && !buffer_.empty() &&
+      sample.time - std::max(buffer_.back().time, intervals_.back().open) > FromSeconds(options_.stream_timeout)) {
+    EndByStream(now, EpisodeFault::kStreamEnded);
+    FinishReady(now);
+  }
   buffer_.Add(sample);
   last_arrival_ = now;
-  if (options_.segmentation == Segmentation::kContact) {
-    const std::optional<ContactDetector::Change> change = contact_.AddSample(sample);
-    // Two contacts close to each other share no sample, or the first would be in the tare of the second.
-    if (change && change->contact && !IsOpen()) {
-      Open({true, std::max(change->time, last_close_), EdgeSource::kContact, ""});
-    }
-    if (change && !change->contact) Close(change->time, EndReason::kContact, now);
-  }
-  if (IsOpen() && sample.time - intervals_.back().open >= FromSeconds(options_.max_duration)) {
-    Close(intervals_.back().open + FromSeconds(options_.max_duration), EndReason::kTimeout, now);
+  if (options_.segmentation == Segmentation::kContact) FollowContact(sample, now);
+  const Nanoseconds longest = FromSeconds(options_.max_duration);
+  if (IsOpen() && sample.time - intervals_.back().open >= longest) {
+    Close({false, intervals_.back().open + longest, EdgeSource::kCommand, "", now}, EndReason::kTimeout, now);
   }
   FinishReady(now);
 }
 
-void EpisodeSegmenter::AddEdge(const EpisodeEdge& arrived, Nanoseconds now) {
-  if (options_.segmentation == Segmentation::kContact && arrived.source != EdgeSource::kCommand) return;
-  if (arrived.source == EdgeSource::kPlain && stamped_seen_) return;
-  EpisodeEdge edge = arrived;
-  // Such a stamp comes from another clock: no sample has a time near it.
-  const bool wrong_stamp = edge.time > now + FromSeconds(options_.stream_timeout) ||
-                           edge.time < now - FromSeconds(options_.max_duration + options_.stream_timeout);
-  if (wrong_stamp && last_arrival_ > 0) edge.time = now;
-  if (edge.source == EdgeSource::kStamped) {
-    stamped_seen_ = true;
-    if (IsStale(edge)) return;
-    if (edge.open && IsOpen()) CorrectOpening(edge);
+void EpisodeSegmenter::FollowContact(const WrenchSample& sample, Nanoseconds now) {
+  const std::optional<ContactDetector::Change> change = contact_.AddSample(sample, now);
+  if (!change) return;
+  if (!change->contact) {
+    if (change->zero_moved && IsOpen()) intervals_.back().faults |= BitOf(EpisodeFault::kZeroMoved);
+    Close({false, change->time, EdgeSource::kContact, "", change->arrival}, EndReason::kContact, now);
+  } else if (!IsOpen()) {
+    // Two contacts close to each other share no sample, or the first would be in the tare of the second.
+    const Nanoseconds time = std::max(change->time, last_close_);
+    Open({{true, time, EdgeSource::kContact, "", now}, time, time, false, 0}, now);
   }
-  if (edge.open && !IsOpen()) Open(edge);
-  if (!edge.open) Close(edge.time, EndReason::kTrigger, now);
+}
+
+void EpisodeSegmenter::AddEdge(const PlacedEdge& placed, Nanoseconds now) {
+  const EpisodeEdge& edge = placed.edge;
+  if (options_.segmentation == Segmentation::kContact && edge.source != EdgeSource::kCommand) return;
+  if (edge.source == EdgeSource::kPlain && IsTwin(edge)) return;
+  if (edge.source == EdgeSource::kStamped && TakeStamped(placed, now)) {
+    FinishReady(now);
+    return;
+  }
+  if (edge.open && IsOpen()) {
+    ++repeated_openings_;
+  } else if (edge.open) {
+    Open(placed, now);
+  } else {
+    Close(edge, EndReason::kTrigger, now, placed.ahead);
+  }
   FinishReady(now);
 }
 
 void EpisodeSegmenter::AdvanceTo(Nanoseconds now) {
-  if (!buffer_.empty() && last_arrival_ > 0) EndIfPaused(last_arrival_, now, now);
+  if (IsOpen() && !buffer_.empty() &&
+      now - std::max(last_arrival_, intervals_.back().opened) >= FromSeconds(options_.stream_timeout)) {
+    EndByStream(now, EpisodeFault::kStreamEnded);
+  }
   FinishReady(now);
 }
 
-void EpisodeSegmenter::EndIfPaused(Nanoseconds last, Nanoseconds next, Nanoseconds now) {
-  if (!IsOpen() || next - std::max(last, intervals_.back().open) <= FromSeconds(options_.stream_timeout)) return;
-  Close(std::max(buffer_.back().time, intervals_.back().open), EndReason::kStream, now);
-  FinishReady(now);
+std::optional<Nanoseconds> EpisodeSegmenter::NextDue() const {
+  std::optional<Nanoseconds> due;
+  if (IsOpen() && !buffer_.empty()) {
+    due = std::max(last_arrival_, intervals_.back().opened) + FromSeconds(options_.stream_timeout);
+  }
+  if (!intervals_.empty() && intervals_.front().closed) {
+    const Nanoseconds deadline = DeadlineOf(intervals_.front());
+    due = due ? std::min(*due, deadline) : deadline;
+  }
+  return due;
 }
 
-void EpisodeSegmenter::Restart() {
-  Finish();
+void EpisodeSegmenter::EndByStream(Nanoseconds now, EpisodeFault fault) {
+  if (!IsOpen()) return;
+  Interval& interval = intervals_.back();
+  interval.faults |= BitOf(fault);
+  const Nanoseconds last = buffer_.empty() ? interval.open : std::max(buffer_.back().time, interval.open);
+  Close({false, last, EdgeSource::kCommand, "", now}, EndReason::kStream, now);
+}
+
+void EpisodeSegmenter::Restart(Nanoseconds now) {
+  EndByStream(now, EpisodeFault::kClockSet);
+  for (Interval& interval : intervals_) {
+    if (buffer_.empty() || buffer_.back().time < interval.close) interval.faults |= BitOf(EpisodeFault::kClockSet);
+  }
+  Finish(now);
   buffer_.Clear();
   contact_ = ContactDetector(options_);
-  stamped_seen_ = false;
-  last_arrival_ = 0;
+  single_stamps_ = {};
   last_close_ = std::numeric_limits<Nanoseconds>::min();
 }
 
-void EpisodeSegmenter::Finish() {
-  if (IsOpen()) {
-    const Nanoseconds last = buffer_.empty() ? intervals_.back().open : buffer_.back().time;
-    Close(std::max(last, intervals_.back().open), EndReason::kStream, last);
-  }
-  for (const Interval& interval : intervals_) Emit(interval);
+void EpisodeSegmenter::Finish(Nanoseconds now) {
+  EndByStream(now, EpisodeFault::kStreamEnded);
+  for (Interval& interval : intervals_) Emit(&interval);
   intervals_.clear();
 }
 
-Eigen::Vector3d EpisodeSegmenter::TareNow() {
+Eigen::Vector3d EpisodeSegmenter::MeasureTare() const {
   if (buffer_.empty()) throw std::runtime_error("no wrench has arrived yet: there is nothing to tare");
   const Nanoseconds end = buffer_.back().time;
-  service_tare_ = MeanForce(buffer_.Between(end - FromSeconds(options_.tare_duration), end),
-                            end - FromSeconds(options_.tare_duration), end);
-  return service_tare_;
+  const Nanoseconds begin = end - FromSeconds(options_.tare_duration);
+  return MeanForce(buffer_.Between(begin, end), begin, end);
 }
 
 std::optional<Episode> EpisodeSegmenter::OpenEpisode() const {
@@ -147,67 +159,159 @@ std::vector<Episode> EpisodeSegmenter::TakeEpisodes() { return std::exchange(epi
 
 std::vector<EpisodeEdge> EpisodeSegmenter::TakeEdges() { return std::exchange(edges_, {}); }
 
-bool EpisodeSegmenter::IsStale(const EpisodeEdge& edge) const {
-  return edge.open ? !IsOpen() && edge.time < last_close_ : edge.time <= last_close_;
+bool EpisodeSegmenter::IsTwin(const EpisodeEdge& edge) {
+  std::optional<Nanoseconds>& stamp = single_stamps_[edge.open ? 1 : 0];
+  if (!stamp || std::abs(edge.time - *stamp) > FromSeconds(options_.edge_match_window)) return false;
+  stamp.reset();
+  return true;
 }
 
-void EpisodeSegmenter::CorrectOpening(const EpisodeEdge& edge) {
+bool EpisodeSegmenter::IsStale(const EpisodeEdge& edge) const {
+  return edge.open ? edge.time < last_close_ : edge.time <= last_close_;
+}
+
+/// Returns true where nothing remains to be done with the edge.
+bool EpisodeSegmenter::TakeStamped(const PlacedEdge& placed, Nanoseconds now) {
+  const EpisodeEdge& edge = placed.edge;
+  if (!edge.open && CorrectClosing(placed, now)) return true;
+  if (IsStale(edge)) return true;
+  if (!edge.open) {
+    single_stamps_[0] = edge.time;
+    if (IsOpen()) ProveOpening(placed, &intervals_.back());
+    return false;
+  }
+  if (!IsOpen()) {
+    single_stamps_[1] = edge.time;
+    return false;
+  }
   Interval& interval = intervals_.back();
-  const Nanoseconds difference = std::abs(edge.time - interval.open);
-  if (difference == 0 || difference > FromSeconds(options_.edge_match_window) || edge.time < last_close_) return;
+  const Nanoseconds difference = edge.time - interval.open;
+  if (difference <= FromSeconds(options_.edge_match_window)) {
+    CorrectOpening(placed);
+    return true;
+  }
+  ++repeated_openings_;
+  interval.faults |= BitOf(EpisodeFault::kClosingLost);
+  Close({false, edge.time, EdgeSource::kStamped, "", edge.arrival}, EndReason::kUnknown, now);
+  single_stamps_[1] = edge.time;
+  return false;
+}
+
+void EpisodeSegmenter::CorrectOpening(const PlacedEdge& placed) {
+  const EpisodeEdge& edge = placed.edge;
+  Interval& interval = intervals_.back();
+  if (interval.open - edge.time > FromSeconds(options_.edge_match_window)) return;
+  if (interval.source != EdgeSource::kStamped) single_stamps_[1].reset();
+  interval.source = EdgeSource::kStamped;
+  interval.open_by_stamp = placed.by_stamp;
+  interval.open_by_arrival = placed.by_arrival;
+  if (edge.time == interval.open && (edge.id.empty() || edge.id == interval.id)) return;
   interval.open = edge.time;
   interval.id = edge.id.empty() ? NameByTime(edge.time) : edge.id;
-  edges_.push_back({true, edge.time, edge.source, interval.id});
+  edges_.push_back({true, edge.time, edge.source, interval.id, edge.arrival});
 }
 
-void EpisodeSegmenter::Open(const EpisodeEdge& edge) {
+bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now) {
+  const Nanoseconds time = placed.edge.time;
+  for (auto interval = intervals_.rbegin(); interval != intervals_.rend(); ++interval) {
+    if (!interval->awaits_stamp || std::abs(time - interval->close) > FromSeconds(options_.edge_match_window)) continue;
+    interval->awaits_stamp = false;
+    ProveOpening(placed, &*interval);
+    if (last_close_ == interval->close) last_close_ = std::max(time, interval->open);
+    interval->close = std::clamp(time, interval->open, interval->open + FromSeconds(options_.max_duration));
+    interval->deadline = now + placed.ahead + FromSeconds(options_.edge_wait);
+    interval->closing.time = interval->close;
+    interval->closing.id = interval->id;
+    interval->closing.source = placed.edge.source;
+    edges_.push_back(interval->closing);
+    return true;
+  }
+  return false;
+}
+
+/// A stamp that came long after its time may be of a slow sender or of a clock that is off. The closing tells: an offset
+/// of clocks is the same for both.
+void EpisodeSegmenter::ProveOpening(const PlacedEdge& closing, Interval* interval) {
+  if (interval->source != EdgeSource::kStamped) return;
+  const Nanoseconds proven = closing.clock_is_off ? interval->open_by_arrival : interval->open_by_stamp;
+  const Nanoseconds open = std::max(proven, interval->earliest);
+  if (open == interval->open) return;
+  if (interval->id == NameByTime(interval->open)) interval->id = NameByTime(open);
+  interval->open = open;
+  edges_.push_back({true, open, interval->source, interval->id, interval->opening_arrival});
+}
+
+void EpisodeSegmenter::Open(const PlacedEdge& placed, Nanoseconds now) {
+  const EpisodeEdge& edge = placed.edge;
   Interval interval;
   interval.id = edge.id.empty() ? NameByTime(edge.time) : edge.id;
+  interval.source = edge.source;
   interval.open = edge.time;
-  intervals_.push_back(interval);
-  edges_.push_back({true, edge.time, edge.source, interval.id});
+  interval.open_by_stamp = placed.by_stamp;
+  interval.open_by_arrival = placed.by_arrival;
+  interval.opened = now;
+  interval.opening_arrival = edge.arrival;
+  interval.earliest = last_close_;
+  edges_.push_back({true, edge.time, edge.source, interval.id, edge.arrival});
+  intervals_.push_back(std::move(interval));
 }
 
-void EpisodeSegmenter::Close(Nanoseconds time, EndReason reason, Nanoseconds now) {
+void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanoseconds now, Nanoseconds ahead) {
   if (!IsOpen()) return;
   Interval& interval = intervals_.back();
   interval.closed = true;
-  interval.close = std::clamp(time, interval.open, interval.open + FromSeconds(options_.max_duration));
-  // An edge that is stamped ahead of its arrival waits for the samples up to its stamp.
-  interval.deadline = std::max(now, interval.close) + FromSeconds(options_.edge_wait);
-  last_close_ = std::max(last_close_, std::min(time, interval.close));
+  interval.close = std::clamp(closing.time, interval.open, interval.open + FromSeconds(options_.max_duration));
   interval.reason = reason;
-  const EdgeSource source = reason == EndReason::kContact ? EdgeSource::kContact : EdgeSource::kCommand;
-  edges_.push_back({false, interval.close, source, interval.id});
-  if (reason == EndReason::kTimeout || reason == EndReason::kStream || reason == EndReason::kTrigger) {
-    contact_.EndContact();
-  }
+  interval.awaits_stamp = closing.source == EdgeSource::kPlain && interval.source == EdgeSource::kStamped;
+  const double wait = interval.awaits_stamp ? options_.edge_match_window : options_.edge_wait;
+  interval.deadline = now + ahead + FromSeconds(wait);
+  interval.closing = {false, interval.close, closing.source, interval.id, closing.arrival};
+  last_close_ = std::max(last_close_, std::min(closing.time, interval.close));
+  if (!interval.awaits_stamp) edges_.push_back(interval.closing);
+  if (reason != EndReason::kContact) contact_.EndContact();
+}
+
+Nanoseconds EpisodeSegmenter::DeadlineOf(const Interval& interval) const {
+  if (interval.awaits_stamp) return interval.deadline;
+  // While samples from before the edge arrive, more of them are on their way.
+  return std::min(interval.deadline + FromSeconds(options_.stream_timeout),
+                  std::max(interval.deadline, last_arrival_ + FromSeconds(options_.edge_wait)));
 }
 
 void EpisodeSegmenter::FinishReady(Nanoseconds now) {
   while (!intervals_.empty() && intervals_.front().closed) {
-    const Interval& interval = intervals_.front();
-    const bool all_there = !buffer_.empty() && buffer_.back().time >= interval.close;
-    // While samples from before the edge arrive, more of them are on their way.
-    const Nanoseconds deadline = std::min(interval.deadline + FromSeconds(options_.stream_timeout),
-                                          std::max(interval.deadline, last_arrival_ + FromSeconds(options_.edge_wait)));
-    if (!all_there && now < deadline) return;
-    Emit(interval);
+    Interval& interval = intervals_.front();
+    const bool all_there = !interval.awaits_stamp && !buffer_.empty() && buffer_.back().time >= interval.close;
+    if (!all_there && now < DeadlineOf(interval)) return;
+    if (interval.awaits_stamp) {
+      // No twin came. Its samples may still be on their way.
+      interval.awaits_stamp = false;
+      edges_.push_back(interval.closing);
+      continue;
+    }
+    Emit(&interval);
     intervals_.pop_front();
   }
 }
 
-void EpisodeSegmenter::Emit(const Interval& interval) {
-  const std::vector<WrenchSample> samples = buffer_.Between(interval.open, interval.close);
-  if (samples.empty() || interval.close - interval.open < FromSeconds(options_.min_duration)) {
-    ++dropped_episodes_;
+void EpisodeSegmenter::Emit(Interval* interval) {
+  if (interval->awaits_stamp) edges_.push_back(interval->closing);
+  const std::vector<WrenchSample> samples = buffer_.Between(interval->open, interval->close);
+  const bool too_short = interval->close - interval->open < FromSeconds(options_.min_duration);
+  if (samples.empty() || too_short) {
+    Count(too_short ? EpisodeFault::kTooShort : EpisodeFault::kNoSample);
     return;
   }
-  episodes_.push_back(Cut(interval, samples));
+  interval->faults |= FaultsOf(samples, interval->open, interval->close, FromSeconds(options_.max_gap));
+  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) {
+    if ((interval->faults >> fault & 1U) != 0) ++fault_counts_[fault];
+  }
+  if (options_.tare == TareSource::kService && !service_tare_) Count(EpisodeFault::kNotTared);
+  episodes_.push_back(Cut(*interval, samples));
 }
 
 Eigen::Vector3d EpisodeSegmenter::TareOf(const Interval& interval, const std::vector<WrenchSample>& samples) const {
-  if (options_.tare == TareSource::kService) return service_tare_;
+  if (options_.tare == TareSource::kService) return service_tare_.value_or(Eigen::Vector3d::Zero());
   const Nanoseconds duration = FromSeconds(options_.tare_duration);
   if (options_.tare == TareSource::kFreeAir) {
     const std::vector<WrenchSample> before = buffer_.Between(interval.open - duration, interval.open);
@@ -224,19 +328,9 @@ Episode EpisodeSegmenter::Cut(const Interval& interval, const std::vector<Wrench
   episode.sample_period = options_.sample_period;
   episode.force =
       ResampledMagnitude(samples, interval.open, interval.close, options_.sample_period, TareOf(interval, samples));
-  episode.complete = interval.reason != EndReason::kStream && !HasGap(interval, samples);
+  episode.complete = interval.faults == 0;
   episode.end_reason = interval.reason;
   return episode;
-}
-
-bool EpisodeSegmenter::HasGap(const Interval& interval, const std::vector<WrenchSample>& samples) const {
-  const Nanoseconds longest = FromSeconds(options_.max_gap);
-  Nanoseconds last = interval.open;
-  for (const WrenchSample& sample : samples) {
-    if (sample.time - last > longest) return true;
-    last = sample.time;
-  }
-  return interval.close - last > longest;
 }
 
 }  // namespace contact_shapelets::core

@@ -60,15 +60,22 @@ void StreamMonitor::AddRepeatedMessage(Nanoseconds time) {
   lap_.longest_frozen = std::max(lap_.longest_frozen, ToSeconds(time - run_start_));
 }
 
-void StreamMonitor::JumpBack() {
-  ++lap_.jumps_back;
-  has_last_ = false;
-}
-
-void StreamMonitor::SetStamps(std::int64_t zero_stamps, std::int64_t wrong_stamps, double clock_offset) {
-  lap_.zero_stamps = zero_stamps - before_.zero_stamps;
-  lap_.wrong_stamps = wrong_stamps - before_.wrong_stamps;
-  lap_.clock_offset = clock_offset;
+void StreamMonitor::SetTotals(const StreamSummary& totals) {
+  lap_.zero_stamps = totals.zero_stamps - before_.zero_stamps;
+  lap_.wrong_stamps = totals.wrong_stamps - before_.wrong_stamps;
+  lap_.jumps_back = totals.jumps_back - before_.jumps_back;
+  lap_.stamp_steps = totals.stamp_steps - before_.stamp_steps;
+  lap_.arrival_steps = totals.arrival_steps - before_.arrival_steps;
+  lap_.publisher_turns = totals.publisher_turns - before_.publisher_turns;
+  lap_.distrusted_edges = totals.distrusted_edges - before_.distrusted_edges;
+  lap_.repeated_openings = totals.repeated_openings - before_.repeated_openings;
+  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) {
+    lap_.episode_faults[fault] = totals.episode_faults[fault] - before_.episode_faults[fault];
+  }
+  lap_.clock_offset = totals.clock_offset;
+  lap_.clock_drift = totals.clock_drift;
+  lap_.edge_lateness = totals.edge_lateness;
+  lap_.waiting_edges = totals.waiting_edges;
 }
 
 StreamSummary StreamMonitor::Summary() const { return Joined(before_, Lap()); }

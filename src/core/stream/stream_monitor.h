@@ -24,10 +24,10 @@ class StreamMonitor {
   bool IsLastForce(const Eigen::Vector3d& force) const { return has_last_ && force == last_force_; }
   /// Counts a message that was dropped since it repeats the last one with its stamp; it came at `time`.
   void AddRepeatedMessage(Nanoseconds time);
-  /// Time began anew: intervals start afresh.
-  void JumpBack();
-  /// Takes over what the sample clock knows of stamps; `clock_offset` in seconds.
-  void SetStamps(std::int64_t zero_stamps, std::int64_t wrong_stamps, double clock_offset);
+  /// The stream began anew: intervals start afresh.
+  void Restart() { has_last_ = false; }
+  /// Takes over what others counted since the start: all of `totals` that no function above counts.
+  void SetTotals(const StreamSummary& totals);
 
   /// What was counted so far.
   StreamSummary Summary() const;

@@ -11,7 +11,10 @@ namespace {
 constexpr double kFrozenSeconds = 1.0;
 constexpr double kRepeatedPart = 0.02;
 constexpr double kJitterPart = 0.5;
-constexpr double kOffsetSeconds = 0.5;
+/// [s] Greater offsets are no latency.
+constexpr double kOffset = 0.5;
+/// [s/s] Quartz clocks drift by less.
+constexpr double kDrift = 2e-4;
 
 /// Three digits, or all before the point: nobody reads 7.2e+03 s.
 std::string Shown(double value) {
@@ -61,6 +64,69 @@ void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
       only ? before.greatest_components : before.greatest_components.cwiseMax(joined->greatest_components).eval();
 }
 
+/// Adds a finding where something is wrong.
+class Finder {
+ public:
+  explicit Finder(std::vector<Finding>* findings) : findings_(findings) {}
+  void operator()(bool wrong, const std::string& text, const char* remedy, Severity severity = Severity::kWarning) const {
+    if (wrong) findings_->push_back({severity, text, remedy});
+  }
+
+ private:
+  std::vector<Finding>* findings_;
+};
+
+void SortByGravity(std::vector<Finding>* findings) {
+  std::stable_sort(findings->begin(), findings->end(),
+                   [](const Finding& one, const Finding& other) { return one.severity > other.severity; });
+}
+
+void FindClocks(const StreamSummary& summary, bool all_frozen, const Finder& find) {
+  find(summary.stamp_steps > 0, Text("the driver's clock was set ", summary.stamp_steps, " times"),
+       "synchronise it before the work starts; an episode that was open then is incomplete");
+  find(summary.arrival_steps > 0,
+       Text("this machine's clock was set, or the transport became slower, ", summary.arrival_steps, " times"),
+       "let chrony slew the clock, not set it, while the cell works; triggers follow within a second");
+  // A frozen stamp ages: that says nothing of the clocks.
+  find(!all_frozen && std::abs(summary.clock_offset) > kOffset,
+       Text("stamps are ", std::abs(summary.clock_offset), summary.clock_offset > 0.0 ? " s behind" : " s ahead of",
+            " the time of arrival"),
+       "synchronise the clocks (chrony, PTP); differences of stamps are used, triggers are shifted by the offset");
+  find(!all_frozen && std::abs(summary.clock_drift) > kDrift,
+       Text("the driver's clock is ", 1e6 * std::abs(summary.clock_drift), " ppm ",
+            summary.clock_drift > 0.0 ? "slow" : "fast"),
+       "synchronise the clocks (chrony, PTP); triggers follow the drift");
+}
+
+/// What to say of episodes with each fault, and what to do.
+struct FaultText {
+  EpisodeFault fault;
+  const char* text;
+  const char* remedy;
+};
+
+constexpr FaultText kFaultTexts[] = {
+    {EpisodeFault::kTooShort, "dropped: shorter than min_duration", "check the trigger, or lower min_duration"},
+    {EpisodeFault::kNoSample, "dropped: without a sample", "check that trigger and wrench overlap"},
+    {EpisodeFault::kStreamEnded, "incomplete: the wrench or the recording ended first",
+     "check the driver, and record until after the last episode"},
+    {EpisodeFault::kClockSet, "incomplete: the driver's clock was set, or time began anew",
+     "synchronise clocks before the work starts"},
+    {EpisodeFault::kGap, "incomplete: a gap in the wrench", "check network and recorder for lost messages"},
+    {EpisodeFault::kFrozen, "incomplete: the sensor held one value", "check the sensor and its driver"},
+    {EpisodeFault::kZeros, "incomplete: the sensor gave exact zeros",
+     "check the driver: near a singularity it may have no estimate"},
+    {EpisodeFault::kWrongStamps, "incomplete: wrong stamps of the wrench",
+     "look for two publishers on the topic, or a driver that stamps wrongly"},
+    {EpisodeFault::kClosingLost, "incomplete: the next one opened before it was closed",
+     "check the sequencer: each opening needs a closing"},
+    {EpisodeFault::kZeroMoved, "incomplete: the sensor's zero moved",
+     "tare the sensor only in free air, and start in free air"},
+    {EpisodeFault::kNotTared, "not tared", "call ~tare in free air, or use another tare"},
+};
+
+std::string Episodes(std::int64_t count) { return std::to_string(count) + (count == 1 ? " episode " : " episodes "); }
+
 }  // namespace
 
 StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
@@ -71,6 +137,12 @@ StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
   joined.zero_stamps += before.zero_stamps;
   joined.wrong_stamps += before.wrong_stamps;
   joined.jumps_back += before.jumps_back;
+  joined.stamp_steps += before.stamp_steps;
+  joined.arrival_steps += before.arrival_steps;
+  joined.publisher_turns += before.publisher_turns;
+  joined.distrusted_edges += before.distrusted_edges;
+  joined.repeated_openings += before.repeated_openings;
+  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) joined.episode_faults[fault] += before.episode_faults[fault];
   joined.repeated += before.repeated;
   joined.repeated_messages += before.repeated_messages;
   joined.gaps += before.gaps;
@@ -84,10 +156,7 @@ StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
 
 std::vector<Finding> FindingsOf(const StreamSummary& summary) {
   std::vector<Finding> findings;
-  const auto find = [&findings](bool wrong, const std::string& text, const char* remedy,
-                                Severity severity = Severity::kWarning) {
-    if (wrong) findings.push_back({severity, text, remedy});
-  };
+  const Finder find(&findings);
   const std::int64_t repeated = summary.repeated + summary.repeated_messages;
   const std::int64_t compared = summary.samples + summary.repeated_messages - 1;
   const double repeated_part = compared > 0 ? static_cast<double>(repeated) / static_cast<double>(compared) : 0.0;
@@ -114,18 +183,41 @@ std::vector<Finding> FindingsOf(const StreamSummary& summary) {
        "synchronise the controller's clock, and record one run per bag");
   find(summary.jumps_back > 0, Text("time jumped back ", summary.jumps_back, " times"),
        "record one run per bag, without a replay that loops");
+  find(summary.publisher_turns > 1,
+       Text("two publishers on one topic: they took turns ", summary.publisher_turns, " times"),
+       "stop one of them, or give each a topic of its own (rosnode info names them)", Severity::kError);
   find(
       summary.gaps > 0, Text(summary.gaps, " gaps, the longest of ", summary.longest_interval, " s"),
       "harmless between episodes; within one it is marked as incomplete: check network and recorder for lost messages");
-  // A frozen stamp ages: that says nothing of the clocks.
-  find(!all_frozen && std::abs(summary.clock_offset) > kOffsetSeconds,
-       Text("stamps are ", std::abs(summary.clock_offset), summary.clock_offset > 0.0 ? " s behind" : " s ahead of",
-            " the time of arrival"),
-       "synchronise the clocks (chrony, PTP); differences of stamps are used, triggers are shifted by the offset");
   find(summary.rate > 0.0 && summary.jitter * summary.rate > kJitterPart,
        Text("jitter of ", 1000.0 * summary.jitter, " ms at a mean interval of ", 1000.0 / summary.rate, " ms"),
        "check the load of the driver's machine, and that stamps are set where the force is measured");
+  FindClocks(summary, all_frozen, find);
+  SortByGravity(&findings);
   return findings;
+}
+
+std::vector<Finding> EpisodeFindingsOf(const StreamSummary& summary) {
+  std::vector<Finding> findings;
+  const Finder find(&findings);
+  for (const FaultText& fault : kFaultTexts) {
+    const std::int64_t count = summary.episode_faults[static_cast<std::size_t>(fault.fault)];
+    find(count > 0, Episodes(count) + fault.text, fault.remedy);
+  }
+  find(summary.waiting_edges > 0, Text(summary.waiting_edges, " edges wait for a wrench: no episode can open"),
+       "check that the driver publishes");
+  find(summary.distrusted_edges > 0,
+       Text(summary.distrusted_edges, " stamped edges are ", std::abs(summary.edge_lateness),
+            summary.edge_lateness > 0.0 ? " s before" : " s after", " their arrival: arrival times are used"),
+       "stamp episode_event by the clock of the wrench's stamps");
+  find(summary.repeated_openings > 0, Text(summary.repeated_openings, " openings came while an episode was open"),
+       "harmless if the sequencer repeats itself; else a closing was lost, and an episode is too long");
+  return findings;
+}
+
+std::int64_t DroppedEpisodes(const StreamSummary& summary) {
+  return summary.episode_faults[static_cast<std::size_t>(EpisodeFault::kTooShort)] +
+         summary.episode_faults[static_cast<std::size_t>(EpisodeFault::kNoSample)];
 }
 
 }  // namespace contact_shapelets::core

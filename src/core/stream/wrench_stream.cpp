@@ -1,22 +1,188 @@
 #include "contact_shapelets/core/wrench_stream.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <deque>
+#include <utility>
+
+#include "core/stream/edge_trust.h"
 #include "core/stream/episode_segmenter.h"
-#include "core/stream/sample_clock.h"
+#include "core/stream/stream_clock.h"
 #include "core/stream/stream_monitor.h"
 
 namespace contact_shapelets::core {
+namespace {
+
+/// Messages on different connections may come in another order than they arrived in, but by no more.
+constexpr Nanoseconds kReordered = 100'000'000;
+/// After the first sample the clocks' relation is not known well: it may be the last of a backlog.
+constexpr Nanoseconds kSettling = 250'000'000;
+/// Time to tell a transport that lags from a clock that was set.
+constexpr Nanoseconds kDoubt = 2'000'000'000;
+/// More edges without any wrench say nothing new.
+constexpr std::size_t kWaitingEdges = 1000;
+
+/// An edge as it arrived, before it has a place among the samples.
+struct WaitingEdge {
+  EpisodeEdge edge;  ///< without a time, but with its stamp in place of it
+  std::string sender;
+  Nanoseconds now = 0;         ///< of its arrival, on the clock that never goes back
+  Nanoseconds last_time = 0;   ///< of the sample before it; 0 where there was none on the same clock
+  Nanoseconds before = 0;      ///< its place by what was known of the clocks before the next sample
+  std::int64_t settings = 0;   ///< of clocks before it
+  bool follows_jump = false;   ///< it arrived after time jumped back, but before a sample did
+  bool sample_after = false;
+};
+
+}  // namespace
 
 struct WrenchStream::Parts {
-  explicit Parts(const SegmentationOptions& options) : segmenter(options) {}
+  explicit Parts(const SegmentationOptions& segmentation) : options(segmentation), segmenter(segmentation) {}
 
-  void SetStamps(StreamMonitor* of) const {
-    of->SetStamps(clock.zero_stamps(), clock.wrong_stamps(), ToSeconds(clock.offset()));
-  }
+  Nanoseconds TakeArrival(Nanoseconds arrival);
+  void AdvanceTo(Nanoseconds to);
+  void RunTo(Nanoseconds to);
+  void AddEdge(EpisodeEdge edge, const std::string& sender, Nanoseconds arrival);
+  std::optional<Nanoseconds> PlaceDue() const;
+  bool CanPlace(Nanoseconds at) const;
+  void PlaceFront(Nanoseconds at);
+  void Restart(bool jumped_back);
+  StreamSummary Totals() const;
 
-  SampleClock clock;
+  SegmentationOptions options;
+  StreamClock clock;
   StreamMonitor monitor;
   EpisodeSegmenter segmenter;
+  EdgeTrust trust;
+  std::deque<WaitingEdge> waiting;
+  Nanoseconds now = 0;           ///< passes with arrivals, and never goes back
+  Nanoseconds last_arrival = 0;  ///< of any message
+  Nanoseconds start = 0;         ///< by `now`, of the first sample of the stream, as it began or restarted
+  Nanoseconds start_time = 0;    ///< of that sample
+  bool status_active = false;
+  std::string publisher;
+  std::string publisher_before;
+  StreamSummary counts;  ///< of edges and publishers
 };
+
+/// Time passes by the differences of arrivals; a clock that was set back lets none pass.
+Nanoseconds WrenchStream::Parts::TakeArrival(Nanoseconds arrival) {
+  if (last_arrival == 0) now = arrival;
+  const Nanoseconds passed = last_arrival == 0 ? 0 : arrival - last_arrival;
+  if (passed < 0 && passed >= -kReordered) return now + passed;
+  last_arrival = arrival;
+  AdvanceTo(now + std::max<Nanoseconds>(0, passed));
+  return now;
+}
+
+void WrenchStream::Parts::AdvanceTo(Nanoseconds to) {
+  // Each wait ends at its own time, however seldom this is called.
+  while (true) {
+    const std::optional<Nanoseconds> place = PlaceDue();
+    std::optional<Nanoseconds> due = segmenter.NextDue();
+    if (place && (!due || *place < *due)) due = place;
+    if (!due || *due > to) break;
+    RunTo(std::max(*due, now));
+  }
+  RunTo(to);
+}
+
+void WrenchStream::Parts::RunTo(Nanoseconds to) {
+  now = std::max(now, to);
+  while (CanPlace(now)) PlaceFront(now);
+  segmenter.AdvanceTo(now);
+}
+
+/// When the first of the waiting edges gets its place, even if nothing arrives before.
+std::optional<Nanoseconds> WrenchStream::Parts::PlaceDue() const {
+  if (waiting.empty() || !clock.has_started() || waiting.front().follows_jump) return std::nullopt;
+  const Nanoseconds wait = clock.is_in_doubt() ? kDoubt : FromSeconds(options.edge_wait);
+  return std::max(waiting.front().now + wait, start + kSettling);
+}
+
+bool WrenchStream::Parts::CanPlace(Nanoseconds at) const {
+  const std::optional<Nanoseconds> due = PlaceDue();
+  if (!due) return false;
+  const WaitingEdge& front = waiting.front();
+  // The place of a stamp hardly depends on the relation of the clocks, so that a backlog settles it as well.
+  const bool settled = at >= start + kSettling || (front.edge.source == EdgeSource::kStamped &&
+                                                   clock.last_time() - start_time >= kSettling);
+  return at >= *due || (front.sample_after && !clock.is_in_doubt() && settled);
+}
+
+/// Where a clock was set between the edge and its placing, the edge is where it lies nearer to the sample before it.
+void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
+  const WaitingEdge edge = std::move(waiting.front());
+  waiting.pop_front();
+  Nanoseconds time = clock.FromArrival(edge.edge.arrival);
+  if (edge.settings != clock.arrival_steps() && edge.last_time != 0 &&
+      std::abs(edge.before - edge.last_time) < std::abs(time - edge.last_time)) {
+    time = edge.before;
+  }
+  const Nanoseconds earliest = time;
+  // Edges take as long as wrenches do: by the mean, half the jitter is the greatest error.
+  time -= clock.usual_delay();
+  PlacedEdge placed{edge.edge, time, time, false, 0};
+  if (edge.edge.source == EdgeSource::kStamped) {
+    const Nanoseconds stamp = edge.edge.time;
+    const Nanoseconds lateness = earliest - stamp;
+    const Nanoseconds longest = FromSeconds(options.max_duration + options.stream_timeout);
+    placed.clock_is_off = trust.IsClockOff(edge.sender, lateness, longest);
+    placed.by_stamp = std::abs(lateness) > longest ? time : stamp;
+    if (placed.clock_is_off) {
+      ++counts.distrusted_edges;
+      counts.edge_lateness = ToSeconds(lateness);
+    } else if (lateness <= FromSeconds(options.stream_timeout)) {
+      time = stamp;
+    }
+  }
+  placed.edge.time = time;
+  placed.edge.arrival = edge.now;
+  placed.ahead = std::max<Nanoseconds>(0, time - earliest);
+  segmenter.AddEdge(placed, at);
+}
+
+/// Edges from before the restart belong to the old stream, and so do closings of what was open then.
+void WrenchStream::Parts::Restart(bool jumped_back) {
+  while (!waiting.empty() && !waiting.front().follows_jump) {
+    const EpisodeEdge& edge = waiting.front().edge;
+    if (!jumped_back && edge.open && edge.arrival >= clock.start_arrival()) break;
+    PlaceFront(now);
+  }
+  for (WaitingEdge& edge : waiting) edge.last_time = 0;
+  monitor.Restart();
+  segmenter.Restart(now);
+}
+
+void WrenchStream::Parts::AddEdge(EpisodeEdge edge, const std::string& sender, Nanoseconds arrival) {
+  if (waiting.size() >= kWaitingEdges) waiting.pop_front();
+  edge.arrival = arrival;
+  WaitingEdge entry{std::move(edge), sender};
+  entry.follows_jump = clock.has_started() && arrival < clock.last_arrival() - kReordered;
+  entry.now = TakeArrival(arrival);
+  entry.last_time = clock.last_time();
+  entry.before = clock.FromArrival(arrival);
+  entry.settings = clock.arrival_steps();
+  entry.sample_after = !entry.follows_jump && clock.has_started() && clock.last_arrival() >= arrival;
+  waiting.push_back(std::move(entry));
+  RunTo(now);
+}
+
+StreamSummary WrenchStream::Parts::Totals() const {
+  StreamSummary totals = counts;
+  totals.zero_stamps = clock.zero_stamps();
+  totals.wrong_stamps = clock.wrong_stamps();
+  totals.jumps_back = clock.jumps_back();
+  totals.stamp_steps = clock.stamp_steps();
+  totals.arrival_steps = clock.arrival_steps();
+  totals.clock_offset = ToSeconds(clock.offset());
+  totals.clock_drift = clock.drift();
+  totals.episode_faults = segmenter.fault_counts();
+  totals.repeated_openings = segmenter.repeated_openings();
+  const bool can_wait = waiting.empty() || (clock.has_started() && !waiting.front().follows_jump);
+  totals.waiting_edges = can_wait ? 0 : static_cast<std::int64_t>(waiting.size());
+  return totals;
+}
 
 WrenchStream::WrenchStream(const SegmentationOptions& options) : parts_(std::make_unique<Parts>(options)) {}
 WrenchStream::~WrenchStream() = default;
@@ -24,57 +190,90 @@ WrenchStream::WrenchStream(WrenchStream&&) noexcept = default;
 WrenchStream& WrenchStream::operator=(WrenchStream&&) noexcept = default;
 
 bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force) {
-  auto& [clock, monitor, segmenter] = *parts_;
+  Parts& parts = *parts_;
+  parts.TakeArrival(arrival);
   if (!(force.norm() <= kGreatestForce)) {
-    monitor.AddNotFinite();
+    parts.monitor.AddNotFinite();
     return false;
   }
   // A driver without news from its sensor may send the last message again.
-  if (clock.IsLastStamp(stamp) && monitor.IsLastForce(force)) {
-    monitor.AddRepeatedMessage(clock.FromArrival(arrival));
+  if (parts.clock.IsLastStamp(stamp) && parts.monitor.IsLastForce(force)) {
+    parts.monitor.AddRepeatedMessage(parts.clock.FromArrival(arrival));
     return false;
   }
-  const SampleTime sample = clock.Resolve(stamp, arrival);
+  const bool first = !parts.clock.has_started();
+  const std::int64_t jumps_back = parts.clock.jumps_back();
+  const SampleTime sample = parts.clock.Resolve(stamp, arrival);
   if (sample.verdict == SampleTime::Verdict::kOutOfOrder) {
-    monitor.AddOutOfOrder();
+    parts.monitor.AddOutOfOrder();
     return false;
   }
-  if (sample.verdict == SampleTime::Verdict::kJumpedBack) {
-    monitor.JumpBack();
-    segmenter.Restart();
+  if (sample.verdict == SampleTime::Verdict::kRestarted) {
+    parts.Restart(jumps_back != parts.clock.jumps_back());
   }
-  monitor.AddSample(sample.time, force);
-  segmenter.AddSample({sample.time, force}, clock.FromArrival(arrival));
+  if (first || sample.verdict == SampleTime::Verdict::kRestarted) {
+    parts.start = parts.now;
+    parts.start_time = sample.time;
+  }
+  for (WaitingEdge& edge : parts.waiting) {
+    edge.sample_after = true;
+    edge.follows_jump = false;
+  }
+  parts.monitor.AddSample(sample.time, force);
+  parts.segmenter.AddSample({sample.time, force, stamp != 0 && !sample.by_stamp}, parts.now);
+  if (!parts.waiting.empty()) parts.RunTo(parts.now);
   return true;
 }
 
-void WrenchStream::AddPlainEdge(bool open, Nanoseconds arrival) {
-  const Nanoseconds time = parts_->clock.FromArrival(arrival);
-  parts_->segmenter.AddEdge({open, time, EdgeSource::kPlain, ""}, time);
+void WrenchStream::AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id) {
+  parts_->AddEdge({open, 0, EdgeSource::kPlain, id}, "", arrival);
 }
 
 void WrenchStream::AddCommand(bool open, Nanoseconds arrival) {
-  const Nanoseconds time = parts_->clock.FromArrival(arrival);
-  parts_->segmenter.AddEdge({open, time, EdgeSource::kCommand, ""}, time);
+  parts_->AddEdge({open, 0, EdgeSource::kCommand, ""}, "", arrival);
 }
 
-void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival) {
-  const Nanoseconds now = parts_->clock.FromArrival(arrival);
+void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival,
+                                  const std::string& sender) {
   // A publisher that forgot the stamp is as good as one that has none.
-  parts_->segmenter.AddEdge(
-      stamp == 0 ? EpisodeEdge{open, now, EdgeSource::kPlain, id} : EpisodeEdge{open, stamp, EdgeSource::kStamped, id},
-      now);
+  const EdgeSource source = stamp == 0 ? EdgeSource::kPlain : EdgeSource::kStamped;
+  parts_->AddEdge({open, stamp, source, id}, sender, arrival);
 }
 
-void WrenchStream::AdvanceTo(Nanoseconds arrival) { parts_->segmenter.AdvanceTo(parts_->clock.FromArrival(arrival)); }
+void WrenchStream::AddStatus(bool active, Nanoseconds arrival) {
+  if (active == std::exchange(parts_->status_active, active)) return;
+  AddPlainEdge(active, arrival);
+}
 
-void WrenchStream::Finish() { parts_->segmenter.Finish(); }
+void WrenchStream::AdvanceTo(Nanoseconds arrival) { parts_->TakeArrival(arrival); }
 
-Eigen::Vector3d WrenchStream::TareNow() { return parts_->segmenter.TareNow(); }
+void WrenchStream::Finish() {
+  Parts& parts = *parts_;
+  while (!parts.waiting.empty() && parts.clock.has_started()) parts.PlaceFront(parts.now);
+  parts.segmenter.Finish(parts.now);
+}
+
+Eigen::Vector3d WrenchStream::TareNow() {
+  const Eigen::Vector3d tare = parts_->segmenter.MeasureTare();
+  parts_->segmenter.set_tare(tare);
+  return tare;
+}
+
+Nanoseconds WrenchStream::last_wrench() const { return parts_->clock.last_time(); }
+
+void WrenchStream::SetTare(const Eigen::Vector3d& tare) { parts_->segmenter.set_tare(tare); }
+
+void WrenchStream::SetPublisher(const std::string& name) {
+  if (name == parts_->publisher) return;
+  if (name == parts_->publisher_before) ++parts_->counts.publisher_turns;
+  parts_->publisher_before = std::exchange(parts_->publisher, name);
+}
 
 void WrenchStream::set_frame_id(const std::string& frame_id) { parts_->segmenter.set_frame_id(frame_id); }
 
-bool WrenchStream::IsOpen() const { return parts_->segmenter.IsOpen(); }
+bool WrenchStream::IsOpen() const {
+  return parts_->waiting.empty() ? parts_->segmenter.IsOpen() : parts_->waiting.back().edge.open;
+}
 
 std::optional<Episode> WrenchStream::OpenEpisode() const { return parts_->segmenter.OpenEpisode(); }
 
@@ -84,16 +283,14 @@ std::vector<Episode> WrenchStream::TakeEpisodes() { return parts_->segmenter.Tak
 
 std::vector<EpisodeEdge> WrenchStream::TakeEdges() { return parts_->segmenter.TakeEdges(); }
 
-int WrenchStream::dropped_episodes() const { return parts_->segmenter.dropped_episodes(); }
-
 StreamSummary WrenchStream::Summary() const {
   StreamMonitor monitor = parts_->monitor;
-  parts_->SetStamps(&monitor);
+  monitor.SetTotals(parts_->Totals());
   return monitor.Summary();
 }
 
 StreamSummary WrenchStream::TakeLap() {
-  parts_->SetStamps(&parts_->monitor);
+  parts_->monitor.SetTotals(parts_->Totals());
   return parts_->monitor.TakeLap();
 }
 

@@ -8,6 +8,7 @@
 #include <std_msgs/String.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "ros/bags/bag_topics.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/publisher_watch.h"
 #include "ros/messages/topics.h"
 
 namespace contact_shapelets {
@@ -30,6 +32,7 @@ struct Parts {
   std::string active;
   std::string event;
   std::string status;
+  std::string tare;
   std::string outcome;
   std::string episode;
 };
@@ -75,13 +78,11 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
     if (!parts.episode.empty()) return parts;
   }
   parts.wrench = FindWrench(path, topics, options.wrench_topic);
+  parts.tare = AtMostOne(path, topics.Named(topics::kTare, "contact_shapelets/Tare"), "tare");
   if (options.segmentation.segmentation == core::Segmentation::kTrigger) {
     parts.event =
         AtMostOne(path, topics.Named(topics::kEpisodeEvent, "contact_shapelets/EpisodeEvent"), "episode_event");
-    // Stamped edges are exact, so plain ones beside them are not needed.
-    if (parts.event.empty()) {
-      parts.active = AtMostOne(path, topics.Named(topics::kEpisodeActive, "std_msgs/Bool"), "episode_active");
-    }
+    parts.active = AtMostOne(path, topics.Named(topics::kEpisodeActive, "std_msgs/Bool"), "episode_active");
   }
   if (options.segmentation.segmentation == core::Segmentation::kAction) {
     parts.status = AtMostOne(path, topics.OfType("actionlib_msgs/GoalStatusArray"), "action status");
@@ -97,20 +98,25 @@ class Reading {
   void Take(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
     const core::Nanoseconds arrival = ToNanoseconds(message.getTime());
+    // Time passes between messages as it does in the node.
+    stream_.AdvanceTo(arrival);
     if (topic == parts_.wrench) {
+      if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
       TakeWrench(*Instantiate<geometry_msgs::WrenchStamped>(message), arrival);
     } else if (topic == parts_.active) {
       stream_.AddPlainEdge(Instantiate<std_msgs::Bool>(message)->data != 0, arrival);
     } else if (topic == parts_.event) {
       const auto event = Instantiate<EpisodeEvent>(message);
       stream_.AddStampedEdge(event->kind == EpisodeEvent::OPEN, ToNanoseconds(event->header.stamp), event->episode_id,
-                             arrival);
+                             arrival, PublisherWatch::NameOf(message.getConnectionHeader()));
     } else if (topic == parts_.status) {
-      TakeStatus(*Instantiate<actionlib_msgs::GoalStatusArray>(message), arrival);
+      stream_.AddStatus(AnyGoalActive(*Instantiate<actionlib_msgs::GoalStatusArray>(message)), arrival);
+    } else if (topic == parts_.tare) {
+      stream_.SetTare(ToVector(Instantiate<Tare>(message)->force));
     } else if (topic == parts_.episode) {
-      TakeEpisode(FromMessage(*Instantiate<Episode>(message)));
-    } else if (topic == parts_.outcome && !closings_.empty()) {
-      closings_.back().outcome = Instantiate<std_msgs::String>(message)->data;
+      TakeEpisode(FromMessage(*Instantiate<Episode>(message)), arrival);
+    } else if (topic == parts_.outcome) {
+      outcomes_.push_back({Instantiate<std_msgs::String>(message)->data, arrival});
     }
     Collect();
   }
@@ -120,7 +126,7 @@ class Reading {
     Collect();
     NameOutcomes();
     contents_.stream = stream_.Summary();
-    contents_.dropped_episodes += stream_.dropped_episodes();
+    contents_.dropped_episodes += static_cast<int>(core::DroppedEpisodes(contents_.stream));
     return contents_;
   }
 
@@ -128,7 +134,12 @@ class Reading {
   /// An episode that closed, and what was said of it. Ids may repeat, and closed episodes may be dropped.
   struct Closing {
     std::string id;
+    core::Nanoseconds arrival = 0;  ///< when it was over
     std::string outcome;
+  };
+  struct Outcome {
+    std::string text;
+    core::Nanoseconds arrival = 0;
   };
 
   template <typename Message>
@@ -149,8 +160,8 @@ class Reading {
     stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
   }
 
-  void TakeEpisode(core::Episode episode) {
-    closings_.push_back({episode.id, ""});
+  void TakeEpisode(core::Episode episode, core::Nanoseconds arrival) {
+    closings_.push_back({episode.id, arrival, ""});
     if (episode.force.size() < 2) {
       ++contents_.dropped_episodes;
     } else {
@@ -158,8 +169,14 @@ class Reading {
     }
   }
 
+  /// An outcome belongs to the episode that was over last when it was said. A contact is over before its hold-off ends.
   /// Episodes come in the order of their closings.
   void NameOutcomes() {
+    for (const Outcome& outcome : outcomes_) {
+      const auto later = std::find_if(closings_.begin(), closings_.end(),
+                                      [&](const Closing& closing) { return closing.arrival > outcome.arrival; });
+      if (later != closings_.begin()) std::prev(later)->outcome = outcome.text;
+    }
     auto closing = closings_.begin();
     for (core::Episode& episode : contents_.episodes) {
       closing = std::find_if(closing, closings_.end(), [&](const Closing& other) { return other.id == episode.id; });
@@ -169,16 +186,10 @@ class Reading {
     }
   }
 
-  void TakeStatus(const actionlib_msgs::GoalStatusArray& status, core::Nanoseconds arrival) {
-    const bool active = AnyGoalActive(status);
-    if (active != action_active_) stream_.AddPlainEdge(active, TimeOfStatus(status, arrival));
-    action_active_ = active;
-  }
-
   void Collect() {
     if (!stream_.HasNews()) return;
     for (const core::EpisodeEdge& edge : stream_.TakeEdges()) {
-      if (!edge.open) closings_.push_back({edge.id, ""});
+      if (!edge.open) closings_.push_back({edge.id, edge.arrival, ""});
     }
     for (core::Episode& episode : stream_.TakeEpisodes()) contents_.episodes.push_back(std::move(episode));
   }
@@ -186,9 +197,10 @@ class Reading {
   Parts parts_;
   core::WrenchStream stream_;
   BagContents contents_;
+  PublisherWatch publisher_;
   std::vector<Closing> closings_;
+  std::vector<Outcome> outcomes_;
   bool has_frame_ = false;
-  bool action_active_ = false;
 };
 
 std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
@@ -216,7 +228,7 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
   const Parts parts = FindParts(path, topics, options);
   std::vector<std::string> wanted;
   for (const std::string& topic :
-       {parts.wrench, parts.active, parts.event, parts.status, parts.outcome, parts.episode}) {
+       {parts.wrench, parts.active, parts.event, parts.status, parts.tare, parts.outcome, parts.episode}) {
     if (!topic.empty()) wanted.push_back(topic);
   }
   Reading reading(parts, options);

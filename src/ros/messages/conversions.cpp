@@ -82,6 +82,16 @@ EpisodeEvent ToMessage(const core::EpisodeEdge& edge, const std::string& frame_i
   return message;
 }
 
+Tare TareMessage(const Eigen::Vector3d& force, core::Nanoseconds time, const std::string& frame_id) {
+  Tare message;
+  message.header.stamp = ToTime(time);
+  message.header.frame_id = frame_id;
+  message.force.x = force.x();
+  message.force.y = force.y();
+  message.force.z = force.z();
+  return message;
+}
+
 core::Model FromMessage(const ShapeletModel& message) {
   if (message.format_version != ShapeletModel::FORMAT_VERSION) {
     throw std::invalid_argument("the model has format version " + std::to_string(message.format_version) +

@@ -5,6 +5,7 @@
 #include <contact_shapelets/EpisodeEvent.h>
 #include <contact_shapelets/ShapeletFeatures.h>
 #include <contact_shapelets/ShapeletModel.h>
+#include <contact_shapelets/Tare.h>
 #include <geometry_msgs/Vector3.h>
 #include <ros/time.h>
 
@@ -12,8 +13,8 @@
 
 #include "contact_shapelets/core/classifier.h"
 #include "contact_shapelets/core/episode.h"
+#include "contact_shapelets/core/episode_edge.h"
 #include "contact_shapelets/core/model.h"
-#include "core/stream/episode_segmenter.h"
 
 /// \file
 /// Between messages and the core's types of the same meaning.
@@ -36,6 +37,9 @@ core::Episode FromMessage(const Episode& message);
 Episode ToMessage(const core::Episode& episode);
 /// The message of an edge.
 EpisodeEvent ToMessage(const core::EpisodeEdge& edge, const std::string& frame_id);
+
+/// The message of a tare [N] that was measured at `time`.
+Tare TareMessage(const Eigen::Vector3d& force, core::Nanoseconds time, const std::string& frame_id);
 
 /// \throws std::invalid_argument where the message has another format version or its contents have faults, naming them.
 core::Model FromMessage(const ShapeletModel& message);

@@ -12,6 +12,7 @@ constexpr char kWrench[] = "wrench";
 constexpr char kEpisodeActive[] = "episode_active";
 constexpr char kEpisodeEvent[] = "episode_event";
 constexpr char kActionStatus[] = "action_status";
+constexpr char kTare[] = "tare";
 constexpr char kOutcome[] = "outcome";
 constexpr char kEpisode[] = "episode";
 constexpr char kEpisodeProgress[] = "episode_progress";

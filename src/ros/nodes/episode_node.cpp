@@ -1,8 +1,10 @@
 #include "ros/nodes/episode_node.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
@@ -14,14 +16,14 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-/// A jump back of time by less is jitter.
-constexpr core::Nanoseconds kJumpBack = 500'000'000;
 /// [s] Wrenches are taken in batches: a thread that wakes for each of them costs more than all else here.
 constexpr double kBatch = 0.004;
 /// Batches without a wrench after which none is taken to come: fewer may be a busy machine's backlog.
 constexpr int kIdleBatches = 8;
 /// Diagnostics judge what happened within as many seconds: a fault that is over does not stay in them for ever.
 constexpr std::size_t kRecent = 10;
+/// Private parameter that keeps the tare over a respawn [N].
+constexpr char kTareParameter[] = "tare_offset";
 
 core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
 
@@ -31,12 +33,22 @@ core::Nanoseconds NowOr(core::Nanoseconds otherwise) {
   return now > 0 ? now : otherwise;
 }
 
+core::Nanoseconds ArrivalOf(const ros::Time& receipt, core::Nanoseconds otherwise) {
+  return receipt.isZero() ? NowOr(otherwise) : ToNanoseconds(receipt);
+}
+
+bool IsForce(const std::vector<double>& values) {
+  return values.size() == 3 && std::all_of(values.begin(), values.end(),
+                                           [](double value) { return std::abs(value) <= core::kGreatestForce; });
+}
+
 }  // namespace
 
 EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle)
     : node_handle_(node_handle), private_node_handle_(private_node_handle) {
   ReadParameters();
   Advertise();
+  if (tare_) UseTare(*tare_);
   if (stream_) Subscribe();
   updater_.setHardwareID("none");
   updater_.add("wrench stream", this, &EpisodeNode::Diagnose);
@@ -47,10 +59,14 @@ EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHand
 void EpisodeNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
   options_ = ReadEpisodeOptions(&reader);
+  std::vector<double> tare;
+  reader.Read(kTareParameter, &tare);
+  if (!tare.empty() && !IsForce(tare)) reader.AddFaults("tare_offset must be three forces [N], each below 1e6 N\n");
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (parameter_faults_.empty()) {
     stream_ = std::make_unique<core::WrenchStream>(options_.segmentation);
+    if (!tare.empty()) tare_ = Eigen::Vector3d(tare[0], tare[1], tare[2]);
   } else {
     ROS_ERROR("No episode is cut until these parameters are mended and the node is started again: %s",
               parameter_faults_.c_str());
@@ -61,6 +77,7 @@ void EpisodeNode::Advertise() {
   episode_publisher_ = node_handle_.advertise<Episode>(topics::kEpisode, topics::kResultQueue);
   progress_publisher_ = node_handle_.advertise<Episode>(topics::kEpisodeProgress, topics::kProgressQueue);
   event_publisher_ = node_handle_.advertise<EpisodeEvent>(topics::kEpisodeEvent, topics::kEdgeQueue);
+  tare_publisher_ = node_handle_.advertise<Tare>(topics::kTare, 1, true);
   start_service_ = private_node_handle_.advertiseService("start", &EpisodeNode::OnStart, this);
   stop_service_ = private_node_handle_.advertiseService("stop", &EpisodeNode::OnStop, this);
   tare_service_ = private_node_handle_.advertiseService("tare", &EpisodeNode::OnTare, this);
@@ -106,10 +123,10 @@ void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped 
     frame_id_ = wrench.header.frame_id;
     stream_->set_frame_id(frame_id_);
   }
+  if (const auto publisher = publisher_.Next(event.getConnectionHeaderPtr())) stream_->SetPublisher(*publisher);
   const core::Nanoseconds stamp = ToNanoseconds(wrench.header.stamp);
   // Not the time of now: all wrenches of a batch would have the same.
-  const core::Nanoseconds receipt = ToNanoseconds(event.getReceiptTime());
-  const core::Nanoseconds arrival = receipt > 0 ? receipt : NowOr(stamp);
+  const core::Nanoseconds arrival = ArrivalOf(event.getReceiptTime(), stamp);
   if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
     ROS_WARN_THROTTLE(
         10.0, "Wrenches that are not finite, above 1e6 N or out of order are dropped; /diagnostics counts them");
@@ -117,27 +134,7 @@ void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped 
   idle_batches_ = 0;
   last_wrench_ = ros::SteadyTime::now();
   last_arrival_ = arrival;
-  if (!early_edges_.empty()) AddEarlyEdges();
   PublishNews();
-}
-
-void EpisodeNode::AddEdge(const std::function<void(core::Nanoseconds)>& add) {
-  TakeWrenches();
-  const core::Nanoseconds arrival = NowOr(last_arrival_);
-  if (arrival < last_arrival_ - kJumpBack) {
-    jumps_back_ = stream_->Summary().jumps_back;
-    early_edges_.emplace_back([add, arrival] { add(arrival); });
-    return;
-  }
-  early_edges_.clear();
-  add(arrival);
-  PublishNews();
-}
-
-void EpisodeNode::AddEarlyEdges() {
-  if (stream_->Summary().jumps_back == jumps_back_) return;
-  for (const std::function<void()>& add : early_edges_) add();
-  early_edges_.clear();
 }
 
 void EpisodeNode::LetTimePass() {
@@ -145,25 +142,25 @@ void EpisodeNode::LetTimePass() {
   PublishNews();
 }
 
-void EpisodeNode::OnActive(const std_msgs::Bool& active) {
-  AddEdge([this, open = active.data != 0](core::Nanoseconds arrival) { stream_->AddPlainEdge(open, arrival); });
+void EpisodeNode::OnActive(const ros::MessageEvent<std_msgs::Bool const>& event) {
+  TakeWrenches();
+  stream_->AddPlainEdge(event.getConstMessage()->data != 0, ArrivalOf(event.getReceiptTime(), last_arrival_));
+  PublishNews();
 }
 
 void EpisodeNode::OnEvent(const ros::MessageEvent<EpisodeEvent const>& event) {
   if (event.getPublisherName() == ros::this_node::getName()) return;
-  AddEdge([this, message = event.getConstMessage()](core::Nanoseconds arrival) {
-    stream_->AddStampedEdge(message->kind == EpisodeEvent::OPEN, ToNanoseconds(message->header.stamp),
-                            message->episode_id, arrival);
-  });
+  TakeWrenches();
+  const EpisodeEvent& message = *event.getConstMessage();
+  stream_->AddStampedEdge(message.kind == EpisodeEvent::OPEN, ToNanoseconds(message.header.stamp), message.episode_id,
+                          ArrivalOf(event.getReceiptTime(), last_arrival_), event.getPublisherName());
+  PublishNews();
 }
 
-void EpisodeNode::OnStatus(const actionlib_msgs::GoalStatusArray& status) {
-  const bool active = AnyGoalActive(status);
-  if (active == action_active_) return;
-  action_active_ = active;
-  AddEdge([this, active, status](core::Nanoseconds arrival) {
-    stream_->AddPlainEdge(active, TimeOfStatus(status, arrival));
-  });
+void EpisodeNode::OnStatus(const ros::MessageEvent<actionlib_msgs::GoalStatusArray const>& event) {
+  TakeWrenches();
+  stream_->AddStatus(AnyGoalActive(*event.getConstMessage()), ArrivalOf(event.getReceiptTime(), last_arrival_));
+  PublishNews();
 }
 
 bool EpisodeNode::OnStart(std_srvs::Trigger::Request& /*request*/, std_srvs::Trigger::Response& response) {
@@ -181,7 +178,8 @@ bool EpisodeNode::OnCommand(bool open, std_srvs::Trigger::Response* response) {
   } else if (stream_->IsOpen() == open) {
     response->message = open ? "an episode is open already" : "no episode is open";
   } else {
-    AddEdge([this, open](core::Nanoseconds arrival) { stream_->AddCommand(open, arrival); });
+    stream_->AddCommand(open, NowOr(last_arrival_));
+    PublishNews();
     response->success = 1U;
     response->message = open ? "episode opened" : "episode closed";
   }
@@ -193,6 +191,8 @@ bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
     if (!stream_) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
     TakeWrenches();
     const Eigen::Vector3d offset = stream_->TareNow();
+    private_node_handle_.setParam(kTareParameter, std::vector<double>{offset.x(), offset.y(), offset.z()});
+    UseTare(offset);
     std::ostringstream text;
     text << "offset [N]: " << offset.x() << ' ' << offset.y() << ' ' << offset.z();
     if (options_.segmentation.tare != core::TareSource::kService) text << " (not used: ~tare is not \"service\")";
@@ -202,6 +202,12 @@ bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
     response.message = error.what();
   }
   return true;
+}
+
+void EpisodeNode::UseTare(const Eigen::Vector3d& offset) {
+  tare_ = offset;
+  stream_->SetTare(offset);
+  tare_publisher_.publish(TareMessage(offset, stream_->last_wrench(), frame_id_));
 }
 
 void EpisodeNode::PublishNews() {
@@ -229,7 +235,10 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   if (laps_.size() > kRecent) laps_.pop_front();
   const core::StreamSummary recent = std::accumulate(laps_.begin(), laps_.end(), core::StreamSummary(), core::Joined);
   const core::StreamSummary summary = stream_->Summary();
-  const std::vector<core::Finding> findings = core::FindingsOf(recent);
+  std::vector<core::Finding> findings = core::FindingsOf(recent);
+  for (core::Finding& finding : core::EpisodeFindingsOf(recent)) findings.push_back(std::move(finding));
+  const bool untared = options_.segmentation.tare == core::TareSource::kService && !tare_;
+  if (untared) findings.push_back({core::Severity::kWarning, "not tared", "call ~tare in free air"});
   const double idle = (ros::SteadyTime::now() - last_wrench_).toSec();
   if (summary.samples == 0) {
     status.summary(DiagnosticStatus::WARN, "no usable wrench yet on " + wrench_subscriber_.getTopic());
@@ -248,12 +257,13 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   status.add("jitter [s]", recent.jitter);
   status.add("longest interval [s]", recent.longest_interval);
   status.add("clock offset [s]", summary.clock_offset);
+  status.add("clock drift [s/s]", summary.clock_drift);
   status.add("samples", summary.samples);
   status.add("not finite", summary.not_finite);
   status.add("out of order", summary.out_of_order);
   status.add("repeated", summary.repeated);
   status.add("episodes", published_episodes_);
-  status.add("dropped episodes", stream_->dropped_episodes());
+  status.add("dropped episodes", core::DroppedEpisodes(summary));
 }
 
 }  // namespace contact_shapelets

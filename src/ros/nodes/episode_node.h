@@ -11,12 +11,13 @@
 
 #include <cstdint>
 #include <deque>
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "contact_shapelets/core/wrench_stream.h"
+#include "ros/messages/publisher_watch.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets {
@@ -41,16 +42,15 @@ class EpisodeNode {
 
   void TakeWrenches();
   void OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event);
-  void OnActive(const std_msgs::Bool& active);
+  void OnActive(const ros::MessageEvent<std_msgs::Bool const>& event);
   void OnEvent(const ros::MessageEvent<EpisodeEvent const>& event);
-  void OnStatus(const actionlib_msgs::GoalStatusArray& status);
+  void OnStatus(const ros::MessageEvent<actionlib_msgs::GoalStatusArray const>& event);
   bool OnStart(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnStop(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnTare(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnCommand(bool open, std_srvs::Trigger::Response* response);
 
-  void AddEdge(const std::function<void(core::Nanoseconds)>& add);
-  void AddEarlyEdges();
+  void UseTare(const Eigen::Vector3d& offset);
   void LetTimePass();
   void PublishNews();
   void PublishProgress();
@@ -62,19 +62,19 @@ class EpisodeNode {
   std::string parameter_faults_;
   std::unique_ptr<core::WrenchStream> stream_;  ///< none while parameters are wrong
   std::string frame_id_;
-  bool action_active_ = false;
+  std::optional<Eigen::Vector3d> tare_;  ///< of the service
+  PublisherWatch publisher_;
   int published_episodes_ = 0;
   int idle_batches_ = 0;  ///< since the last wrench, up to where time is let pass
   ros::SteadyTime last_wrench_ = ros::SteadyTime::now();
   core::Nanoseconds last_arrival_ = 0;
-  std::int64_t jumps_back_ = 0;
-  std::deque<core::StreamSummary> laps_;            ///< from one diagnostics to the next
-  std::vector<std::function<void()>> early_edges_;  ///< from after a jump back of time that the wrench has not made yet
+  std::deque<core::StreamSummary> laps_;  ///< from one diagnostics to the next
 
   ros::CallbackQueue wrench_queue_;
   ros::Publisher episode_publisher_;
   ros::Publisher progress_publisher_;
   ros::Publisher event_publisher_;
+  ros::Publisher tare_publisher_;
   ros::Subscriber wrench_subscriber_;
   ros::Subscriber active_subscriber_;
   ros::Subscriber event_subscriber_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/stream/wrench_signal.h"
@@ -19,7 +21,7 @@ Changes Play(ContactDetector* detector, const Signal& signal, double begin, doub
   const auto count = static_cast<int>(std::lround((end - begin) * rate));
   for (int index = 0; index < count; ++index) {
     const double time = begin + index / rate;
-    const auto change = detector->AddSample({Time(time), AlongZ(signal(time))});
+    const auto change = detector->AddSample({Time(time), AlongZ(signal(time))}, Time(time));
     if (change) changes.push_back(*change);
   }
   return changes;
@@ -115,6 +117,98 @@ TEST(ContactDetector, TriggersAgainOnceItWasLetGo) {
   const Changes changes = Play(&detector, Pulse(6.0, 7.0, 20.0), 6.0, 8.0);
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(changes[0].time, Time(5.5));
+}
+
+/// Rises from 0 N at `begin` by `slope` [N/s] to `height` [N], holds that for a second, and is let go.
+Signal Slow(double begin, double slope, double height, double bias = 0.0) {
+  const double end = begin + height / slope + 1.0;
+  return [=](double time) {
+    return bias + (time < begin || time >= end ? 0.0 : std::min(height, slope * (time - begin)));
+  };
+}
+
+TEST(ContactDetector, SeesASlowContactAndItsEnd) {
+  for (const double slope : {2.0, 3.0, 6.0, 8.0, 20.0}) {
+    ContactDetector detector(Options());
+    const Signal slow = Slow(3.0, slope, 60.0);
+    const double end = 3.0 + 60.0 / slope + 1.0;
+    const Changes changes = Play(&detector, slow, 0.0, end + 3.0, 200.0);
+    ASSERT_EQ(changes.size(), 2U) << slope;
+    // Within 3 N of the threshold.
+    EXPECT_LT(ToSeconds(changes[0].time), 3.0 + 11.0 / slope) << slope;
+    EXPECT_NEAR(ToSeconds(changes[1].time), end + 0.2, 0.02) << slope;
+    EXPECT_FALSE(changes[1].zero_moved);
+  }
+}
+
+TEST(ContactDetector, TakesWhatRisesByLessThanDriftForDrift) {
+  ContactDetector detector(Options());
+  EXPECT_TRUE(Play(&detector, [](double time) { return 1.0 * time; }, 0.0, 60.0, 200.0).empty());
+}
+
+TEST(ContactDetector, FollowsTheFreeAirForceThatAChangeOfPoseMoves) {
+  ContactDetector detector(Options());
+  const auto pose = [](double time) { return time < 3.0 ? -4.0 : std::min(3.5, -4.0 + 13.0 * (time - 3.0)); };
+  EXPECT_TRUE(Play(&detector, pose, 0.0, 6.0, 200.0).empty());
+  const auto push = [&](double time) { return pose(time) + (time >= 6.5 && time < 7.5 ? 20.0 : 0.0); };
+  EXPECT_EQ(Play(&detector, push, 6.0, 9.0, 200.0).size(), 2U);
+}
+
+TEST(ContactDetector, ReadsFreeAirFarFromZero) {
+  ContactDetector detector(Options());
+  EXPECT_EQ(Play(&detector, Pulse(2.0, 3.0, 20.0, 38.0), 0.0, 5.0).size(), 2U);
+}
+
+TEST(ContactDetector, SurvivesASensorThatDoesNotReturnToZero) {
+  ContactDetector detector(Options());
+  int contacts = 0;
+  for (int push = 0; push < 10; ++push) {
+    const double begin = 5.0 * push;
+    const auto signal = [&](double time) {
+      return 3.5 * push + (time > begin + 2.0 ? time < begin + 3.0 ? 20.0 : 3.5 : 0.0);
+    };
+    for (const auto& change : Play(&detector, signal, begin, begin + 5.0, 200.0)) contacts += change.contact ? 1 : 0;
+  }
+  EXPECT_EQ(contacts, 10);
+}
+
+/// Ten pushes of a second, one each four seconds from 4 s on, over a free-air force.
+Signal Pushes(const Signal& free_air) {
+  return [free_air](double time) {
+    const double phase = std::fmod(time, 4.0);
+    return free_air(time) + (time > 4.0 && phase > 1.0 && phase < 2.0 ? 25.0 : 0.0);
+  };
+}
+
+TEST(ContactDetector, ASensorThatRezeroesCostsOnePushAtMost) {
+  for (const double when : {10.0, 13.5}) {
+    ContactDetector detector(Options());
+    const Signal pushes = Pushes([when](double time) { return time < when ? 0.0 : -34.0; });
+    const Changes changes = Play(&detector, pushes, 0.0, 44.0, 200.0);
+    int sound = 0;
+    int moved = 0;
+    for (const auto& change : changes) {
+      if (!change.contact) (change.zero_moved ? moved : sound)++;
+    }
+    EXPECT_GE(sound, 8) << when;
+    EXPECT_LE(moved, 1) << when;
+  }
+}
+
+TEST(ContactDetector, AStreamThatBeginsInContactCostsOnePushAtMost) {
+  ContactDetector detector(Options());
+  const Signal pushes = Pushes([](double time) { return time < 2.0 ? 60.0 : 0.0; });
+  const Changes changes = Play(&detector, pushes, 0.0, 44.0, 200.0);
+  int sound = 0;
+  for (const auto& change : changes) sound += !change.contact && !change.zero_moved ? 1 : 0;
+  EXPECT_GE(sound, 9);
+}
+
+TEST(ContactDetector, AStreamThatBeginsInAMovingContactWaitsForFreeAir) {
+  ContactDetector detector(Options());
+  const Signal pushes = Pushes([](double time) { return time < 1.0 ? 30.0 + 20.0 * std::sin(9.0 * time) : 0.0; });
+  const Changes changes = Play(&detector, pushes, 0.0, 44.0, 200.0);
+  EXPECT_EQ(changes.size(), 20U);
 }
 
 TEST(ContactDetector, WorksAtALowRate) {

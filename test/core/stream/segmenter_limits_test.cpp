@@ -16,7 +16,7 @@ SegmentationOptions Options(TareSource tare = TareSource::kService) {
 }
 
 void Plain(EpisodeSegmenter* segmenter, bool open, double now) {
-  segmenter->AddEdge({open, Time(now), EdgeSource::kPlain, ""}, Time(now));
+  segmenter->AddEdge({{open, Time(now), EdgeSource::kPlain, "", Time(now)}, Time(now), Time(now), false, 0}, Time(now));
 }
 
 /// The only episode of `segmenter`.
@@ -65,13 +65,16 @@ TEST(Tare, OfTheFreeAirFallsBackToTheEpisodeStartWithoutSamplesBefore) {
 
 TEST(Tare, OfTheServiceIsWhatWasMeasuredLastAndZeroBefore) {
   EpisodeSegmenter segmenter(Options());
-  EXPECT_THROW(segmenter.TareNow(), std::runtime_error);
+  EXPECT_THROW(segmenter.MeasureTare(), std::runtime_error);
   Plain(&segmenter, true, 0.0);
   Feed(&segmenter, Push, 0.0, 0.5);
   Plain(&segmenter, false, 0.5);
   Feed(&segmenter, Push, 0.5, 1.0);
   EXPECT_NEAR(Only(&segmenter).force[10], 3.0, 1e-5);
-  EXPECT_TRUE(segmenter.TareNow().isApprox(AlongZ(3.0)));
+  EXPECT_EQ(segmenter.fault_counts()[static_cast<std::size_t>(EpisodeFault::kNotTared)], 1);
+  const Eigen::Vector3d tare = segmenter.MeasureTare();
+  EXPECT_TRUE(tare.isApprox(AlongZ(3.0), 1e-4));
+  segmenter.set_tare(tare);
   Plain(&segmenter, true, 1.0);
   Feed(&segmenter, Push, 1.0, 3.0);
   Plain(&segmenter, false, 3.0);
@@ -84,7 +87,7 @@ TEST(Tare, IsSubtractedAsAVectorBeforeTheMagnitude) {
   Plain(&segmenter, true, 0.0);
   for (int index = 0; index < 110; ++index) {
     const Eigen::Vector3d force = index < 50 ? Eigen::Vector3d(4.0, 0.0, 0.0) : Eigen::Vector3d(0.0, 3.0, 0.0);
-    segmenter.AddSample({Time(0.01 * index), force}, Time(0.01 * index));
+    segmenter.AddSample({Time(0.01 * index), force + 1e-6 * Noisy(0.0, index)}, Time(0.01 * index));
   }
   Plain(&segmenter, false, 1.0);
   EXPECT_NEAR(Only(&segmenter).force[80], 5.0, 1e-5);
@@ -161,9 +164,9 @@ TEST(EpisodeLimits, TheEndOfTheInputClosesWhatIsOpen) {
   EpisodeSegmenter segmenter(Options());
   Plain(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.01);
-  segmenter.Finish();
+  segmenter.Finish(Time(102.0));
   EXPECT_EQ(Only(&segmenter).end_reason, EndReason::kStream);
-  segmenter.Finish();
+  segmenter.Finish(Time(102.0));
   EXPECT_FALSE(segmenter.TakeEpisodes().size());
 }
 
@@ -172,7 +175,7 @@ TEST(EpisodeLimits, TheEndOfTheInputFinishesWhatWaits) {
   Plain(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.0);
   Plain(&segmenter, false, 1.0);
-  segmenter.Finish();
+  segmenter.Finish(Time(102.0));
   const Episode episode = Only(&segmenter);
   EXPECT_EQ(episode.end_reason, EndReason::kTrigger);
   EXPECT_TRUE(episode.complete);
@@ -184,7 +187,7 @@ TEST(EpisodeLimits, ARestartEndsTheOpenEpisodeAndForgetsOldSamples) {
   Feed(&segmenter, high, 99.0, 100.0);
   Plain(&segmenter, true, 100.0);
   Feed(&segmenter, high, 100.0, 101.01);
-  segmenter.Restart();
+  segmenter.Restart(Time(102.0));
   EXPECT_EQ(Only(&segmenter).end_reason, EndReason::kStream);
   // The second round has the times of the first again.
   Feed(&segmenter, Push, 0.0, 1.0);
@@ -214,6 +217,42 @@ TEST(EpisodeLimits, KeepsAnEpisodeOfTheLongestDurationWhole) {
   EXPECT_NEAR(episode.force[1989], Rising(49.895), 1e-3);
 }
 
+/// One second of a rising force in which the sensor gives what `change` makes of it from 0.4 s on.
+Episode Held(double seconds, bool zeros) {
+  EpisodeSegmenter segmenter(Options());
+  Plain(&segmenter, true, 0.0);
+  for (int index = 0; index <= 210; ++index) {
+    const double time = 0.005 * index;
+    const bool held = time >= 0.4 && time < 0.4 + seconds;
+    const double force = held ? (zeros ? 0.0 : Rising(0.4)) : Rising(time) + 1.0;
+    segmenter.AddSample({Time(time), AlongZ(force)}, Time(time));
+  }
+  Plain(&segmenter, false, 1.0);
+  return Only(&segmenter);
+}
+
+TEST(EpisodeLimits, ASensorThatHoldsItsValueMakesTheEpisodeIncomplete) {
+  EXPECT_FALSE(Held(0.3, false).complete);
+  EXPECT_TRUE(Held(0.1, false).complete);
+}
+
+TEST(EpisodeLimits, ASensorThatGivesExactZerosMakesTheEpisodeIncomplete) {
+  EXPECT_FALSE(Held(0.15, true).complete);
+  EXPECT_TRUE(Held(0.05, true).complete);
+}
+
+TEST(EpisodeLimits, SamplesWithWrongStampsAmongOthersMakeTheEpisodeIncomplete) {
+  for (const int wrong : {2, 3}) {
+    EpisodeSegmenter segmenter(Options());
+    Plain(&segmenter, true, 0.0);
+    for (int index = 0; index <= 110; ++index) {
+      segmenter.AddSample({Time(0.01 * index), AlongZ(index), index >= 50 && index < 50 + wrong}, Time(0.01 * index));
+    }
+    Plain(&segmenter, false, 1.0);
+    EXPECT_EQ(Only(&segmenter).complete, wrong == 2);
+  }
+}
+
 SegmentationOptions ContactOptions() {
   SegmentationOptions options;
   options.segmentation = Segmentation::kContact;
@@ -237,7 +276,7 @@ TEST(ContactSegmentation, IgnoresTriggers) {
   Feed(&segmenter, Push, 0.0, 1.0);
   Plain(&segmenter, true, 1.0);
   EXPECT_FALSE(segmenter.IsOpen());
-  segmenter.AddEdge({true, Time(1.0), EdgeSource::kStamped, ""}, Time(1.0));
+  segmenter.AddEdge({{true, Time(1.0), EdgeSource::kStamped, "", 0}, Time(1.0), Time(1.0), false, 0}, Time(1.0));
   EXPECT_FALSE(segmenter.IsOpen());
 }
 

@@ -144,11 +144,12 @@ TEST(StreamMonitor, HasARemedyForEveryFault) {
   summary.not_finite = summary.out_of_order = summary.zero_stamps = summary.wrong_stamps = summary.jumps_back = 1;
   summary.repeated = 50;
   summary.gaps = 2;
-  summary.longest_frozen = summary.clock_offset = 2.0;
+  summary.stamp_steps = summary.arrival_steps = summary.publisher_turns = 2;
+  summary.longest_frozen = summary.clock_offset = summary.clock_drift = 2.0;
   summary.rate = 100.0;
   summary.jitter = 1.0;
   const std::vector<Finding> findings = FindingsOf(summary);
-  EXPECT_EQ(findings.size(), 10U);
+  EXPECT_EQ(findings.size(), 14U);
   for (const Finding& finding : findings) EXPECT_FALSE(finding.remedy.empty()) << finding.text;
 }
 
@@ -178,14 +179,12 @@ TEST(StreamMonitor, CountsWhatWasDropped) {
 TEST(StreamMonitor, StartsIntervalsAfreshWhereTimeBeganAnew) {
   StreamMonitor monitor;
   Play(&monitor, 100.0, 0.01, 101);
-  monitor.JumpBack();
+  monitor.Restart();
   Play(&monitor, 0.0, 0.01, 101);
   const StreamSummary summary = monitor.Summary();
-  EXPECT_EQ(summary.jumps_back, 1);
   EXPECT_NEAR(summary.rate, 100.0, 1e-6);
   EXPECT_NEAR(summary.duration, 2.0, 1e-9);
   EXPECT_EQ(summary.gaps, 0);
-  EXPECT_TRUE(Finds(summary, "time jumped back 1 times"));
 }
 
 TEST(StreamMonitor, ALapHasOnlyTheGapsFrozenSpellsAndDropsOfItsOwn) {
@@ -225,7 +224,12 @@ TEST(StreamMonitor, LapsJoinToWhatIsCountedWithoutThem) {
     time += index == 650 ? 2.0 : random.Uniform(0.004, 0.006);
     for (StreamMonitor* monitor : {&whole, &split}) {
       monitor->AddSample(Time(time), force);
-      monitor->SetStamps(index / 2, index / 3, 0.7);
+      StreamSummary totals;
+      totals.zero_stamps = index / 2;
+      totals.wrong_stamps = index / 3;
+      totals.episode_faults[0] = index / 4;
+      totals.clock_offset = 0.7;
+      monitor->SetTotals(totals);
     }
     if (index % 150 == 0) joined = Joined(joined, split.TakeLap());
   }
@@ -237,6 +241,7 @@ TEST(StreamMonitor, LapsJoinToWhatIsCountedWithoutThem) {
     EXPECT_EQ(summary.gaps, 1);
     EXPECT_EQ(summary.intervals, expected.intervals);
     EXPECT_EQ(summary.zero_stamps, 499);
+    EXPECT_EQ(summary.episode_faults[0], 249);
     EXPECT_NEAR(summary.rate, expected.rate, 1e-9 * expected.rate);
     EXPECT_NEAR(summary.jitter, expected.jitter, 1e-9 * expected.jitter);
     EXPECT_NEAR(summary.duration, expected.duration, 1e-9);
@@ -249,14 +254,44 @@ TEST(StreamMonitor, LapsJoinToWhatIsCountedWithoutThem) {
 TEST(StreamMonitor, ReportsWhatTheClockKnowsOfStamps) {
   StreamMonitor monitor;
   Play(&monitor, 0.0, 0.01, 20);
-  monitor.SetStamps(3, 4, -7200.0);
+  StreamSummary totals;
+  totals.zero_stamps = 3;
+  totals.wrong_stamps = 4;
+  totals.jumps_back = 1;
+  totals.stamp_steps = 2;
+  totals.arrival_steps = 5;
+  totals.clock_offset = -7200.0;
+  totals.clock_drift = 3e-4;
+  totals.publisher_turns = 6;
+  monitor.SetTotals(totals);
   EXPECT_TRUE(Finds(monitor.Summary(), "3 samples without a stamp"));
   EXPECT_TRUE(Finds(monitor.Summary(), "4 stamps ran backward"));
+  EXPECT_TRUE(Finds(monitor.Summary(), "time jumped back 1 times"));
+  EXPECT_TRUE(Finds(monitor.Summary(), "the driver's clock was set 2 times"));
+  EXPECT_TRUE(Finds(monitor.Summary(), "this machine's clock was set, or the transport became slower, 5 times"));
   EXPECT_TRUE(Finds(monitor.Summary(), "stamps are 7200 s ahead of the time of arrival"));
-  monitor.SetStamps(0, 0, 90061.0);
+  EXPECT_TRUE(Finds(monitor.Summary(), "the driver's clock is 300 ppm slow"));
+  EXPECT_EQ(Texts(monitor.Summary()).front(), "two publishers on one topic: they took turns 6 times");
+  totals = StreamSummary();
+  totals.clock_offset = 90061.0;
+  monitor.SetTotals(totals);
   EXPECT_TRUE(Finds(monitor.Summary(), "stamps are 90061 s behind the time of arrival"));
-  monitor.SetStamps(0, 0, 0.3);
+  totals.clock_offset = 0.3;
+  totals.clock_drift = 1e-4;
+  totals.publisher_turns = 1;
+  monitor.SetTotals(totals);
   EXPECT_TRUE(Texts(monitor.Summary()).empty());
+}
+
+TEST(StreamMonitor, NamesEveryFaultOfEpisodesAndWhatToDo) {
+  StreamSummary summary;
+  EXPECT_TRUE(EpisodeFindingsOf(summary).empty());
+  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) summary.episode_faults[fault] = 1;
+  summary.waiting_edges = summary.distrusted_edges = summary.repeated_openings = 1;
+  const std::vector<Finding> findings = EpisodeFindingsOf(summary);
+  EXPECT_EQ(findings.size(), kEpisodeFaults + 3);
+  for (const Finding& finding : findings) EXPECT_FALSE(finding.remedy.empty()) << finding.text;
+  EXPECT_EQ(DroppedEpisodes(summary), 2);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ double Rising(double time) { return 10.0 * time; }
 void Feed(WrenchStream* stream, double begin, double end, double offset = 0.0, bool stamped = true) {
   for (int index = 0; index < std::lround(100.0 * (end - begin)); ++index) {
     const double time = begin + 0.01 * index;
-    EXPECT_TRUE(stream->AddWrench(stamped ? Time(time + offset) : 0, Time(time), AlongZ(Rising(time))));
+    EXPECT_TRUE(stream->AddWrench(stamped ? Time(time + offset) : 0, Time(time), Noisy(Rising(time), index)));
   }
 }
 
@@ -60,7 +60,7 @@ TEST(WrenchStream, AMessageThatIsSentAgainIsNoNews) {
   stream.AddPlainEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.0);
   for (int index = 0; index < 200; ++index) {
-    EXPECT_FALSE(stream.AddWrench(Time(2.99), Time(3.0 + 0.01 * index), AlongZ(Rising(2.99))));
+    EXPECT_FALSE(stream.AddWrench(Time(2.99), Time(3.0 + 0.01 * index), Noisy(Rising(2.99), 99)));
     stream.AdvanceTo(Time(3.0 + 0.01 * index));
   }
   EXPECT_EQ(Only(&stream).end_reason, EndReason::kStream);
@@ -71,7 +71,7 @@ TEST(WrenchStream, AMessageThatIsSentAgainIsNoNews) {
 TEST(WrenchStream, NewForcesUnderAStampThatStandsStillAreTakenByArrival) {
   WrenchStream stream(Options());
   for (int index = 0; index < 300; ++index) stream.AddWrench(Time(1.0), Time(1.0 + 0.01 * index), AlongZ(index));
-  EXPECT_EQ(stream.Summary().samples, 250);
+  EXPECT_EQ(stream.Summary().samples, 300);
   EXPECT_EQ(stream.Summary().repeated, 0);
 }
 
@@ -134,7 +134,7 @@ TEST(WrenchStream, ALoopedReplayGivesTheSameEpisodesAgain) {
     EXPECT_EQ(episode.force.size(), 100);
   }
   EXPECT_EQ(stream.Summary().jumps_back, 2);
-  EXPECT_EQ(stream.dropped_episodes(), 0);
+  EXPECT_EQ(DroppedEpisodes(stream.Summary()), 0);
 }
 
 TEST(WrenchStream, ALoopWithinAnEpisodeEndsItAtTheLastSample) {
@@ -160,6 +160,188 @@ TEST(WrenchStream, AnEdgeWithAStampOfZeroCountsAtItsArrival) {
   EXPECT_EQ(episode.id, "push");
   EXPECT_EQ(episode.start, Time(2.0));
   EXPECT_EQ(episode.force.size(), 100);
+}
+
+TEST(WrenchStream, AnEdgeBeforeTheFirstWrenchWaitsForTheClockOfTheStamps) {
+  for (const double offset : {0.0, -1e5, 1e5}) {
+    WrenchStream stream(Options());
+    stream.AddPlainEdge(true, Time(1e4 + 1.0));
+    stream.AdvanceTo(Time(1e4 + 1.9));
+    EXPECT_EQ(stream.Summary().waiting_edges, 1);
+    Feed(&stream, 1e4 + 2.0, 1e4 + 3.0, offset);
+    EXPECT_EQ(stream.Summary().waiting_edges, 0);
+    stream.AddPlainEdge(false, Time(1e4 + 3.0));
+    Feed(&stream, 1e4 + 3.0, 1e4 + 4.0, offset);
+    const Episode first = Only(&stream);
+    EXPECT_EQ(first.start, Time(1e4 + 1.0 + offset));
+    EXPECT_FALSE(first.complete) << "its first second is missing";
+    stream.AddPlainEdge(true, Time(1e4 + 4.0));
+    Feed(&stream, 1e4 + 4.0, 1e4 + 5.0, offset);
+    stream.AddPlainEdge(false, Time(1e4 + 5.0));
+    Feed(&stream, 1e4 + 5.0, 1e4 + 5.1, offset);
+    EXPECT_TRUE(Only(&stream).complete);
+  }
+}
+
+TEST(WrenchStream, EdgesFollowThisMachinesClockWhereThatIsSet) {
+  for (const double step : {0.8, -0.8, 0.05}) {
+    WrenchStream stream(Options());
+    Feed(&stream, 10.0, 20.0);
+    // From here on all arrivals are off by the step.
+    const double base = 20.0 + step;
+    Feed(&stream, base, base + 0.3, -step);
+    stream.AddPlainEdge(true, Time(base + 0.3));
+    Feed(&stream, base + 0.3, base + 1.3, -step);
+    stream.AddPlainEdge(false, Time(base + 1.3));
+    Feed(&stream, base + 1.3, base + 3.0, -step);
+    const Episode episode = Only(&stream);
+    EXPECT_NEAR(ToSeconds(episode.start), 20.3, 1e-6) << step;
+    EXPECT_NEAR(static_cast<double>(episode.force.size()), 100.0, 1.0);
+    EXPECT_TRUE(episode.complete);
+  }
+}
+
+TEST(WrenchStream, AnEdgeFromBeforeASettingOfTheClockKeepsItsPlace) {
+  WrenchStream stream(Options());
+  Feed(&stream, 10.0, 20.0);
+  stream.AddPlainEdge(true, Time(19.995));
+  Feed(&stream, 20.8, 22.0, -0.8);
+  stream.AddPlainEdge(false, Time(22.0));
+  Feed(&stream, 22.0, 23.0, -0.8);
+  const Episode episode = Only(&stream);
+  EXPECT_NEAR(ToSeconds(episode.start), 19.995, 1e-6);
+  EXPECT_NEAR(episode.duration(), 1.205, 0.011);
+}
+
+TEST(WrenchStream, ADriverWhoseClockIsSetInAnEpisodeMakesThatIncompleteAndNoOther) {
+  for (const double step : {0.4, -0.4}) {
+    WrenchStream stream(Options());
+    Feed(&stream, 10.0, 11.0);
+    stream.AddPlainEdge(true, Time(11.0));
+    Feed(&stream, 11.0, 11.5);
+    Feed(&stream, 11.5, 12.0, step);
+    stream.AddPlainEdge(false, Time(12.0));
+    Feed(&stream, 12.0, 13.0, step);
+    EXPECT_FALSE(Only(&stream).complete);
+    stream.AddPlainEdge(true, Time(13.0));
+    Feed(&stream, 13.0, 14.0, step);
+    stream.AddPlainEdge(false, Time(14.0));
+    Feed(&stream, 14.0, 14.1, step);
+    const Episode episode = Only(&stream);
+    EXPECT_TRUE(episode.complete);
+    EXPECT_EQ(episode.start, Time(13.0 + step));
+    EXPECT_EQ(stream.Summary().episode_faults[static_cast<std::size_t>(EpisodeFault::kClockSet)], 1);
+  }
+}
+
+/// Two episodes of a second by stamped edges that say a time `early` seconds before they arrive.
+std::vector<Episode> EarlyEdges(double early, StreamSummary* summary) {
+  WrenchStream stream(Options());
+  Feed(&stream, 100.0, 140.0);
+  for (const double begin : {140.0, 142.0}) {
+    stream.AddStampedEdge(true, Time(begin - early), "", Time(begin), "sequencer");
+    Feed(&stream, begin, begin + 1.0);
+    stream.AddStampedEdge(false, Time(begin + 1.0 - early), "", Time(begin + 1.0), "sequencer");
+    Feed(&stream, begin + 1.0, begin + 2.0);
+  }
+  *summary = stream.Summary();
+  return stream.TakeEpisodes();
+}
+
+TEST(WrenchStream, StampedEdgesByAClockThatIsOffCountAtTheirArrivalAndAreNamed) {
+  for (const double early : {0.2, 1.0, 1.5, 30.0, 3600.0, -0.2, -3600.0}) {
+    StreamSummary summary;
+    const std::vector<Episode> episodes = EarlyEdges(early, &summary);
+    ASSERT_EQ(episodes.size(), 2U) << early;
+    EXPECT_EQ(episodes[0].start, Time(140.0)) << early;
+    EXPECT_EQ(episodes[1].start, Time(142.0)) << early;
+    for (const Episode& episode : episodes) EXPECT_EQ(episode.force.size(), 100) << early;
+    EXPECT_GT(summary.distrusted_edges, 0);
+    EXPECT_NEAR(summary.edge_lateness, early, 1e-3);
+  }
+}
+
+TEST(WrenchStream, StampedEdgesThatATransportDelaysAreExact) {
+  StreamSummary summary;
+  const std::vector<Episode> episodes = EarlyEdges(0.09, &summary);
+  ASSERT_EQ(episodes.size(), 2U);
+  EXPECT_EQ(episodes[0].start, Time(139.91));
+  EXPECT_EQ(episodes[1].start, Time(141.91));
+  EXPECT_EQ(summary.distrusted_edges, 0);
+}
+
+TEST(WrenchStream, AStampedOpeningThatWasDecidedOnLateIsExactWhereItsClosingIsInTime) {
+  WrenchStream stream(Options());
+  Feed(&stream, 1.0, 10.0);
+  for (const double begin : {10.0, 14.0}) {
+    // As of contact segmentation with a pre-trigger of 2 s.
+    Feed(&stream, begin, begin + 2.0);
+    stream.AddStampedEdge(true, Time(begin), "", Time(begin + 2.0), "node");
+    Feed(&stream, begin + 2.0, begin + 3.0);
+    stream.AddStampedEdge(false, Time(begin + 3.0), "", Time(begin + 3.0), "node");
+    Feed(&stream, begin + 3.0, begin + 4.0);
+    const Episode episode = Only(&stream);
+    EXPECT_EQ(episode.start, Time(begin));
+    EXPECT_EQ(episode.force.size(), 300);
+  }
+  EXPECT_EQ(stream.Summary().distrusted_edges, 0);
+}
+
+TEST(WrenchStream, BoolsFirstAndStampedEdgesLaterGiveAllEpisodes) {
+  WrenchStream stream(Options());
+  Feed(&stream, 1.0, 2.0);
+  for (int index = 0; index < 6; ++index) {
+    const double begin = 2.0 + 2.0 * index;
+    const auto edge = [&](bool open, double time) {
+      index < 3 ? stream.AddPlainEdge(open, Time(time)) : stream.AddStampedEdge(open, Time(time), "", Time(time), "s");
+    };
+    edge(true, begin);
+    Feed(&stream, begin, begin + 1.0);
+    edge(false, begin + 1.0);
+    Feed(&stream, begin + 1.0, begin + 2.0);
+  }
+  EXPECT_EQ(stream.TakeEpisodes().size(), 6U);
+}
+
+TEST(WrenchStream, HowOftenTimeIsLetPassMakesNoDifference) {
+  const auto play = [](double step) {
+    WrenchStream stream(Options());
+    Feed(&stream, 1.0, 2.0);
+    stream.AddPlainEdge(true, Time(2.0));
+    Feed(&stream, 2.0, 4.0);
+    for (double time = 4.0; time < 9.0; time += step) stream.AdvanceTo(Time(time));
+    Feed(&stream, 9.0, 10.0);
+    stream.AddPlainEdge(false, Time(10.0));
+    Feed(&stream, 10.0, 10.1);
+    return Only(&stream);
+  };
+  for (const double step : {0.001, 0.3, 10.0}) {
+    const Episode episode = play(step);
+    EXPECT_EQ(episode.end_reason, EndReason::kStream) << step;
+    EXPECT_EQ(episode.force.size(), 199) << step;
+    EXPECT_FALSE(episode.complete);
+  }
+}
+
+TEST(WrenchStream, TwoPublishersThatTakeTurnsAreNamedAndARestartIsNot) {
+  WrenchStream stream(Options());
+  Feed(&stream, 1.0, 2.0);
+  for (const char* const name : {"/driver", "/driver_2", "/driver_2"}) stream.SetPublisher(name);
+  EXPECT_EQ(stream.Summary().publisher_turns, 0);
+  for (const char* const name : {"/driver", "/driver_2", "/driver"}) stream.SetPublisher(name);
+  EXPECT_EQ(stream.Summary().publisher_turns, 3);
+}
+
+TEST(WrenchStream, AnActionsStatusCountsWhereItChanges) {
+  WrenchStream stream(Options());
+  Feed(&stream, 1.0, 2.0);
+  for (int index = 0; index < 40; ++index) {
+    const double time = 2.0 + 0.1 * index;
+    stream.AddStatus(index >= 5 && index < 25, Time(time));
+    Feed(&stream, time, time + 0.1);
+  }
+  EXPECT_EQ(Only(&stream).force.size(), 200);
+  EXPECT_EQ(stream.Summary().repeated_openings, 0);
 }
 
 TEST(WrenchStream, TimeThatPassesWithoutASampleRunsOut) {

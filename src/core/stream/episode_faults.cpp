@@ -1,0 +1,55 @@
+#include "core/stream/episode_faults.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace contact_shapelets::core {
+namespace {
+
+constexpr Nanoseconds kFrozen = 250'000'000;
+constexpr Nanoseconds kZeros = 100'000'000;
+/// Two samples of a slow sensor may be alike by chance.
+constexpr int kHeld = 4;
+/// As few are placed well enough by their arrivals.
+constexpr std::ptrdiff_t kWrongStamps = 2;
+
+bool HasGap(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end, Nanoseconds longest) {
+  Nanoseconds last = begin;
+  for (const WrenchSample& sample : samples) {
+    if (sample.time - last > longest) return true;
+    last = sample.time;
+  }
+  return end - last > longest;
+}
+
+/// A value is held until the next one.
+std::uint32_t HeldFaults(const std::vector<WrenchSample>& samples, Nanoseconds end) {
+  std::uint32_t faults = 0;
+  std::size_t first = 0;
+  for (std::size_t index = 1; index <= samples.size(); ++index) {
+    const bool ends = index == samples.size();
+    if (!ends && samples[index].force == samples[first].force) continue;
+    const Nanoseconds held = (ends ? end : samples[index].time) - samples[first].time;
+    if (index - first >= kHeld) {
+      if (held >= kFrozen) faults |= BitOf(EpisodeFault::kFrozen);
+      if (held >= kZeros && samples[first].force.isZero(0.0)) faults |= BitOf(EpisodeFault::kZeros);
+    }
+    first = index;
+  }
+  return faults;
+}
+
+}  // namespace
+
+std::uint32_t FaultsOf(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end,
+                       Nanoseconds longest_gap) {
+  std::uint32_t faults = HeldFaults(samples, end);
+  if (HasGap(samples, begin, end, longest_gap)) faults |= BitOf(EpisodeFault::kGap);
+  const auto wrong = std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.wrong_stamp; });
+  // Where all stamps are wrong, arrivals give one clock.
+  const auto right = static_cast<std::ptrdiff_t>(samples.size()) - wrong;
+  if (wrong > kWrongStamps && right > kWrongStamps) faults |= BitOf(EpisodeFault::kWrongStamps);
+  return faults;
+}
+
+}  // namespace contact_shapelets::core
