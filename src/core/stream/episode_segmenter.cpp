@@ -229,8 +229,8 @@ bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now)
   return false;
 }
 
-/// A stamp that came long after its time may be of a slow sender or of a clock that is off. The closing tells: an offset
-/// of clocks is the same for both.
+/// A stamp that came long after its time may be of a slow sender or of a clock that is off. The closing tells: an
+/// offset of clocks is the same for both.
 void EpisodeSegmenter::ProveOpening(const PlacedEdge& closing, Interval* interval) {
   if (interval->source != EdgeSource::kStamped) return;
   const Nanoseconds proven = closing.clock_is_off ? interval->open_by_arrival : interval->open_by_stamp;
