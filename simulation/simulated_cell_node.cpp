@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "ros/messages/topics.h"
+#include "ros/messages/names.h"
 #include "wrench_message.h"
 
 namespace contact_shapelets::simulation {

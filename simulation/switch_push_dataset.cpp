@@ -15,7 +15,7 @@
 #include "core/numerics/parallel.h"
 #include "push_recording.h"
 #include "ros/messages/conversions.h"
-#include "ros/messages/topics.h"
+#include "ros/messages/names.h"
 #include "wrench_message.h"
 
 namespace contact_shapelets::simulation {

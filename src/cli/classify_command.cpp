@@ -18,7 +18,7 @@
 #include "ros/bags/bag_damage.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
-#include "ros/messages/topics.h"
+#include "ros/messages/names.h"
 
 namespace contact_shapelets::cli {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "cli/text.h"
 #include "evaluation/partition_metrics.h"
+#include "ros/messages/names.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets::cli {
@@ -49,15 +50,15 @@ Options ReadOptions(const BagArguments& arguments) {
   Options options;
   options.reader.segmentation = ReadSegmentationOptions(&reader);
   options.trainer = ReadTrainerOptions(&reader);
-  reader.Read("wrench_topic", &options.reader.wrench_topic);
+  reader.Read(parameters::kWrenchTopic, &options.reader.wrench_topic);
   // The nodes' files serve here as well, so that what belongs to a node alone is no fault.
   ReadClassifierOptions(&reader);
   double progress_rate = 0.0;
   std::vector<std::string> bags;
   std::string output;
-  reader.Read("progress_rate", &progress_rate);
-  reader.Read("bags", &bags);
-  reader.Read("output", &output);
+  reader.Read(parameters::kProgressRate, &progress_rate);
+  reader.Read(parameters::kBags, &bags);
+  reader.Read(parameters::kOutput, &output);
   for (const std::string& name : reader.Unread()) reader.AddFaults(name + " is not a parameter\n");
   std::string faults = reader.Faults();
   if (!faults.empty()) throw std::runtime_error(Joined(arguments.configs, ", ") + ": " + faults);

@@ -24,6 +24,19 @@ struct Arguments {
   bool incomplete = false;
 };
 
+/// Removes incomplete episodes and says how many.
+void LeaveOutIncomplete(const Arguments& arguments, const core::TrainerOptions& options,
+                        std::vector<core::Episode>* episodes) {
+  try {
+    const int incomplete = core::TakeIncomplete(options, episodes);
+    if (incomplete == 0) return;
+    std::printf("Left out of the training as incomplete: %s (--incomplete takes them)\n",
+                Count(static_cast<std::size_t>(incomplete), "episode").c_str());
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(Joined(arguments.bags.bags, ", ") + ": " + error.what());
+  }
+}
+
 core::TrainingResult TrainWithProgress(const std::vector<core::Episode>& episodes, const Arguments& arguments,
                                        const core::TrainerOptions& options) {
   ProgressLine line("training on " + Count(episodes.size(), "episode"));
@@ -77,10 +90,7 @@ void Train(const Arguments& arguments) {
   if (arguments.incomplete) options.trainer.incomplete = true;
   CheckModelOutput("--model", arguments.model, FilesRead(arguments.bags));
   std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
-  if (const int incomplete = core::TakeIncomplete(options.trainer, &episodes); incomplete > 0) {
-    std::printf("Left out of the training as incomplete: %s (--incomplete takes them)\n",
-                Count(static_cast<std::size_t>(incomplete), "episode").c_str());
-  }
+  LeaveOutIncomplete(arguments, options.trainer, &episodes);
   const auto start = std::chrono::steady_clock::now();
   core::TrainingResult result = TrainWithProgress(episodes, arguments, options.trainer);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

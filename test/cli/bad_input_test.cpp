@@ -132,7 +132,10 @@ TEST_F(BadInputTest, FewerEpisodesThanClusters) {
 TEST_F(BadInputTest, AllEpisodesFlat) {
   MadeBag content;
   content.flaw = Flaw::kFlat;
-  ExpectTrainingRefused(Make(folder_ / "flat.bag", content), {"flat.bag", "all episodes are flat"});
+  const std::string bag = Make(folder_ / "flat.bag", content);
+  ExpectTrainingRefused(bag, {"flat.bag", "at least 3 complete episodes", "6 incomplete ones"});
+  ExpectRefusal({"train", bag, "--model", model_, "--config", quick_, "--incomplete"}, 1,
+                {"flat.bag", "all episodes are flat"});
 }
 
 TEST_F(BadInputTest, ModelThatIsNoBag) {

@@ -43,6 +43,7 @@ struct TrainerOptions {
 
 /// Removes the episodes that are not complete from `episodes`, unless `options` ask for them: half a push, from the end
 /// of a bag, looks like another outcome. Returns how many it removed.
+/// \throws std::invalid_argument if it removed some and leaves fewer than `options.clusters`.
 int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes);
 
 /// Returns the set-up of the paper: one scale, attraction alone, diversity, length by the L1 norm, every window,

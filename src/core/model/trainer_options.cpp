@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
+#include <string>
 
 #include "contact_shapelets/core/trainer.h"
 #include "core/numerics/interval.h"
@@ -28,6 +30,13 @@ int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes
                                           [](const Episode& episode) { return episode.complete; });
   const auto taken = static_cast<int>(episodes->end() - kept);
   episodes->erase(kept, episodes->end());
+  if (taken > 0 && static_cast<int>(episodes->size()) < options.clusters) {
+    throw std::invalid_argument("expected at least " + std::to_string(options.clusters) +
+                                " complete episodes, but found " + std::to_string(episodes->size()) + " beside " +
+                                std::to_string(taken) +
+                                " incomplete ones (`inspect` says why they are; --incomplete or the parameter "
+                                "incomplete trains on them as well)");
+  }
   return taken;
 }
 

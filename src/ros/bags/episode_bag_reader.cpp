@@ -18,8 +18,8 @@
 #include "ros/bags/bag_topics.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 #include "ros/messages/publisher_watch.h"
-#include "ros/messages/topics.h"
 
 namespace contact_shapelets {
 namespace {

@@ -12,8 +12,8 @@
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/message_definition.h"
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
-#include "ros/messages/topics.h"
 
 namespace contact_shapelets {
 namespace {

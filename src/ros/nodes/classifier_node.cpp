@@ -6,8 +6,8 @@
 
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
-#include "ros/messages/topics.h"
 
 namespace contact_shapelets {
 
@@ -42,7 +42,7 @@ ClassifierNode::ClassifierNode(const ros::NodeHandle& node_handle, const ros::No
     progress_subscriber_ = node_handle_.subscribe(topics::kEpisodeProgress, topics::kProgressQueue,
                                                   &ClassifierNode::OnProgress, this, no_delay);
   }
-  name_service_ = private_node_handle_.advertiseService("name_cluster", &ClassifierNode::OnNameCluster, this);
+  name_service_ = private_node_handle_.advertiseService(services::kNameCluster, &ClassifierNode::OnNameCluster, this);
   updater_.setHardwareID("none");
   updater_.add("model", this, &ClassifierNode::Report);
   diagnostic_timer_ = node_handle_.createWallTimer(ros::WallDuration(1.0),

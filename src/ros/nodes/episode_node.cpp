@@ -8,8 +8,8 @@
 
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
-#include "ros/messages/topics.h"
 
 namespace contact_shapelets {
 namespace {
@@ -78,9 +78,9 @@ void EpisodeNode::Advertise() {
   progress_publisher_ = node_handle_.advertise<Episode>(topics::kEpisodeProgress, topics::kProgressQueue);
   event_publisher_ = node_handle_.advertise<EpisodeEvent>(topics::kEpisodeEvent, topics::kEdgeQueue);
   tare_publisher_ = node_handle_.advertise<Tare>(topics::kTare, 1, true);
-  start_service_ = private_node_handle_.advertiseService("start", &EpisodeNode::OnStart, this);
-  stop_service_ = private_node_handle_.advertiseService("stop", &EpisodeNode::OnStop, this);
-  tare_service_ = private_node_handle_.advertiseService("tare", &EpisodeNode::OnTare, this);
+  start_service_ = private_node_handle_.advertiseService(services::kStart, &EpisodeNode::OnStart, this);
+  stop_service_ = private_node_handle_.advertiseService(services::kStop, &EpisodeNode::OnStop, this);
+  tare_service_ = private_node_handle_.advertiseService(services::kTare, &EpisodeNode::OnTare, this);
 }
 
 void EpisodeNode::Subscribe() {

@@ -9,8 +9,8 @@
 #include "evaluation/partition_metrics.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
-#include "ros/messages/topics.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets {
@@ -29,7 +29,7 @@ TrainerNode::TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHand
     : node_handle_(node_handle),
       private_node_handle_(private_node_handle),
       server_(
-          node_handle_, "train", [this](const TrainGoalConstPtr& goal) { OnGoal(goal); }, false) {
+          node_handle_, actions::kTrain, [this](const TrainGoalConstPtr& goal) { OnGoal(goal); }, false) {
   model_publisher_ = node_handle_.advertise<ShapeletModel>(topics::kModel, 1, true);
   ReadParameters();
   updater_.setHardwareID("none");
@@ -44,10 +44,10 @@ void TrainerNode::ReadParameters() {
   options_ = ReadTrainerOptions(&reader);
   reader_options_.segmentation = ReadEpisodeOptions(&reader).segmentation;
   std::string model;
-  reader.Read("wrench_topic", &reader_options_.wrench_topic);
-  reader.Read("model", &model);
-  reader.Read("bags", &start_bags_);
-  reader.Read("output", &start_output_);
+  reader.Read(parameters::kWrenchTopic, &reader_options_.wrench_topic);
+  reader.Read(parameters::kModel, &model);
+  reader.Read(parameters::kBags, &start_bags_);
+  reader.Read(parameters::kOutput, &start_output_);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {

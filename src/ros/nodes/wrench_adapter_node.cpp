@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
-#include "ros/messages/topics.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets {

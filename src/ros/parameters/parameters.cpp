@@ -7,6 +7,7 @@
 #include <regex>
 
 #include "core/numerics/interval.h"
+#include "ros/messages/names.h"
 #include "ros/messages/text.h"
 
 namespace contact_shapelets {
@@ -182,22 +183,22 @@ std::string ClassifierOptions::Faults() const {
 
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
   core::SegmentationOptions options;
-  reader->Read("segmentation", kSegmentations, &options.segmentation);
-  reader->Read("tare", kTareSources, &options.tare);
-  reader->Read("sample_period", &options.sample_period);
-  reader->Read("tare_duration", &options.tare_duration);
-  reader->Read("min_duration", &options.min_duration);
-  reader->Read("max_duration", &options.max_duration);
-  reader->Read("max_gap", &options.max_gap);
-  reader->Read("stream_timeout", &options.stream_timeout);
-  reader->Read("edge_wait", &options.edge_wait);
-  reader->Read("edge_match_window", &options.edge_match_window);
-  reader->Read("contact_on", &options.contact_on);
-  reader->Read("contact_off", &options.contact_off);
-  reader->Read("contact_hold_on", &options.contact_hold_on);
-  reader->Read("contact_hold_off", &options.contact_hold_off);
-  reader->Read("pre_trigger", &options.pre_trigger);
-  reader->Read("baseline_duration", &options.baseline_duration);
+  reader->Read(parameters::kSegmentation, kSegmentations, &options.segmentation);
+  reader->Read(parameters::kTare, kTareSources, &options.tare);
+  reader->Read(parameters::kSamplePeriod, &options.sample_period);
+  reader->Read(parameters::kTareDuration, &options.tare_duration);
+  reader->Read(parameters::kMinDuration, &options.min_duration);
+  reader->Read(parameters::kMaxDuration, &options.max_duration);
+  reader->Read(parameters::kMaxGap, &options.max_gap);
+  reader->Read(parameters::kStreamTimeout, &options.stream_timeout);
+  reader->Read(parameters::kEdgeWait, &options.edge_wait);
+  reader->Read(parameters::kEdgeMatchWindow, &options.edge_match_window);
+  reader->Read(parameters::kContactOn, &options.contact_on);
+  reader->Read(parameters::kContactOff, &options.contact_off);
+  reader->Read(parameters::kContactHoldOn, &options.contact_hold_on);
+  reader->Read(parameters::kContactHoldOff, &options.contact_hold_off);
+  reader->Read(parameters::kPreTrigger, &options.pre_trigger);
+  reader->Read(parameters::kBaselineDuration, &options.baseline_duration);
   reader->AddFaults(options.Faults());
   return options;
 }
@@ -205,7 +206,7 @@ core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
 EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
   EpisodeOptions options;
   options.segmentation = ReadSegmentationOptions(reader);
-  reader->Read("progress_rate", &options.progress_rate);
+  reader->Read(parameters::kProgressRate, &options.progress_rate);
   std::ostringstream faults;
   core::CheckRange("progress_rate", options.progress_rate, {0, 100}, &faults, " Hz");
   reader->AddFaults(faults.str());
@@ -215,49 +216,49 @@ EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader) {
   core::TrainerOptions options;
   core::LearnerOptions& learner = options.learner;
-  reader->Read("clusters", &options.clusters);
-  reader->Read("kmeans_restarts", &options.kmeans_restarts);
-  reader->Read("log_distances", &options.log_distances);
-  reader->Read("voters", &options.voters);
-  reader->Read("random_shapelets", &options.random_shapelets);
-  reader->Read("voting_episodes", &options.voting_episodes);
-  reader->Read("novelty_quantile", &options.novelty_quantile);
-  reader->Read("novelty_margin", &options.novelty_margin);
-  reader->Read("threads", &options.threads);
-  reader->Read("incomplete", &options.incomplete);
-  reader->Read("seed", &options.seed);
-  reader->Read("scales", &learner.scales);
-  reader->Read("objective", kObjectives, &learner.objective);
-  reader->Read("repulsion", &learner.repulsion);
-  reader->Read("diversity", &learner.diversity);
-  reader->Read("sparsity", &learner.sparsity);
-  reader->Read("flat_fraction", &learner.flat_fraction);
-  reader->Read("steps", &learner.steps);
-  reader->Read("learning_rate", &learner.learning_rate);
-  reader->Read("batch", &learner.batch);
-  reader->Read("start_windows", &learner.start_windows);
-  reader->Read("shortest", &learner.shortest);
+  reader->Read(parameters::kClusters, &options.clusters);
+  reader->Read(parameters::kKmeansRestarts, &options.kmeans_restarts);
+  reader->Read(parameters::kLogDistances, &options.log_distances);
+  reader->Read(parameters::kVoters, &options.voters);
+  reader->Read(parameters::kRandomShapelets, &options.random_shapelets);
+  reader->Read(parameters::kVotingEpisodes, &options.voting_episodes);
+  reader->Read(parameters::kNoveltyQuantile, &options.novelty_quantile);
+  reader->Read(parameters::kNoveltyMargin, &options.novelty_margin);
+  reader->Read(parameters::kThreads, &options.threads);
+  reader->Read(parameters::kIncomplete, &options.incomplete);
+  reader->Read(parameters::kSeed, &options.seed);
+  reader->Read(parameters::kScales, &learner.scales);
+  reader->Read(parameters::kObjective, kObjectives, &learner.objective);
+  reader->Read(parameters::kRepulsion, &learner.repulsion);
+  reader->Read(parameters::kDiversity, &learner.diversity);
+  reader->Read(parameters::kSparsity, &learner.sparsity);
+  reader->Read(parameters::kFlatFraction, &learner.flat_fraction);
+  reader->Read(parameters::kSteps, &learner.steps);
+  reader->Read(parameters::kLearningRate, &learner.learning_rate);
+  reader->Read(parameters::kBatch, &learner.batch);
+  reader->Read(parameters::kStartWindows, &learner.start_windows);
+  reader->Read(parameters::kShortest, &learner.shortest);
   reader->AddFaults(options.Faults());
   return options;
 }
 
 ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
   ClassifierOptions options;
-  reader->Read("model", &options.model);
-  reader->Read("early", &options.early);
-  reader->Read("early_minimum", &options.early_minimum);
+  reader->Read(parameters::kModel, &options.model);
+  reader->Read(parameters::kEarly, &options.early);
+  reader->Read(parameters::kEarlyMinimum, &options.early_minimum);
   reader->AddFaults(options.Faults());
   return options;
 }
 
 WrenchAdapterOptions ReadAdapterOptions(ParameterReader* reader) {
   WrenchAdapterOptions options;
-  reader->Read("source", {{"wrench", false}, {"joint_torques", true}}, &options.from_torques);
-  reader->Read("field", &options.field);
-  reader->Read("frame_id", &options.frame_id);
-  reader->Read("damping", &options.damping);
-  reader->Read("base_link", &options.base_link);
-  reader->Read("tip_link", &options.tip_link);
+  reader->Read(parameters::kSource, {{"wrench", false}, {"joint_torques", true}}, &options.from_torques);
+  reader->Read(parameters::kField, &options.field);
+  reader->Read(parameters::kFrameId, &options.frame_id);
+  reader->Read(parameters::kDamping, &options.damping);
+  reader->Read(parameters::kBaseLink, &options.base_link);
+  reader->Read(parameters::kTipLink, &options.tip_link);
   reader->AddFaults(options.Faults());
   return options;
 }
