@@ -206,7 +206,8 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
 void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<core::Finding>* findings) {
   const std::string way = " (" + found.way + ")";
   const auto add = [&](std::size_t count, const char* what, const char* remedy) {
-    if (count > 0) findings->push_back({core::Severity::kWarning, where + Count(count, "episode") + what + way, remedy});
+    if (count > 0)
+      findings->push_back({core::Severity::kWarning, where + Count(count, "episode") + what + way, remedy});
   };
   if (found.stream.samples == 0) {
     const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),

@@ -20,8 +20,8 @@ namespace contact_shapelets::core {
 /// One sensor's stream with its triggers. An arrival is the time of a message's receipt, which a bag records.
 ///
 /// All order and all waiting is by arrivals. A wrench has a time by its stamp, and an edge keeps its own clock until it
-/// gets its place among the wrenches: after the next wrench, and once the relation of the two clocks is known. How often
-/// AdvanceTo() is called makes no difference to what comes out, only to when.
+/// gets its place among the wrenches: after the next wrench, and once the relation of the two clocks is known. How
+/// often AdvanceTo() is called makes no difference to what comes out, only to when.
 class WrenchStream {
  public:
   /// \throws std::invalid_argument naming every parameter that is out of range.
@@ -37,8 +37,8 @@ class WrenchStream {
   void AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id = "");
   /// Takes a service call at `arrival`.
   void AddCommand(bool open, Nanoseconds arrival);
-  /// Takes an edge with a `stamp` on the clock of the wrench; a stamp of 0 counts as none. The stamps of a `sender` whose
-  /// edges are all too late or too early alike are on another clock: the arrivals of its edges count.
+  /// Takes an edge with a `stamp` on the clock of the wrench; a stamp of 0 counts as none. The stamps of a `sender`
+  /// whose edges are all too late or too early alike are on another clock: the arrivals of its edges count.
   void AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival,
                       const std::string& sender = "");
   /// Takes the status of an action: a goal is `active` or not. A change is a plain edge.

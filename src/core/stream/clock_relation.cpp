@@ -52,8 +52,8 @@ bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   return risen;
 }
 
-/// Samples count by the time between their stamps. A backlog after a stall says nothing of the usual jitter: what is far
-/// above it counts for little.
+/// Samples count by the time between their stamps. A backlog after a stall says nothing of the usual jitter: what is
+/// far above it counts for little.
 void ClockRelation::FollowSpread(Nanoseconds stamp, Nanoseconds above) {
   const double interval = std::clamp(ToSeconds(stamp - last_stamp_), 0.0, kGreatestInterval);
   last_stamp_ = stamp;
@@ -63,9 +63,7 @@ void ClockRelation::FollowSpread(Nanoseconds stamp, Nanoseconds above) {
   spread_ += interval / spread_duration_ * (counted - spread_);
 }
 
-Nanoseconds ClockRelation::Tolerance() const {
-  return static_cast<Nanoseconds>(kLeastTolerance + 2.0 * spread_);
-}
+Nanoseconds ClockRelation::Tolerance() const { return static_cast<Nanoseconds>(kLeastTolerance + 2.0 * spread_); }
 
 void ClockRelation::Open(Nanoseconds arrival, Nanoseconds delay) {
   if (size_ == kBuckets) {

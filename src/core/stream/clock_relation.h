@@ -13,8 +13,8 @@ namespace contact_shapelets::core {
 /// Least delay over time: the line below all pairs of arrival and delay (arrival less stamp) of the last ten seconds.
 ///
 /// No message arrives before it is sent, so that the line is the offset of the clocks plus the least latency, and its
-/// slope is their drift. A second delay in a row below the line lowers it. Delays that stay above it alike for three quarters of
-/// a second move it up: a clock was set, or the transport became slower.
+/// slope is their drift. A second delay in a row below the line lowers it. Delays that stay above it alike for three
+/// quarters of a second move it up: a clock was set, or the transport became slower.
 class ClockRelation {
  public:
   /// Forgets all, and begins with this delay.
@@ -56,9 +56,9 @@ class ClockRelation {
   Nanoseconds origin_ = 0;
   Nanoseconds delay_ = 0;  ///< of the line at `origin_`
   double slope_ = 0.0;
-  double spread_ = 0.0;          ///< [ns] running mean of delays above the line
+  double spread_ = 0.0;           ///< [ns] running mean of delays above the line
   double spread_duration_ = 0.0;  ///< [s] that it is the mean of
-  bool was_early_ = false;  ///< the last delay was below the line
+  bool was_early_ = false;        ///< the last delay was below the line
   Nanoseconds last_stamp_ = 0;
 };
 

@@ -17,8 +17,8 @@ namespace contact_shapelets::core {
 /// follows the force with the time constant `baseline_duration`, but not in contact, and not while the force has moved
 /// for more than 0.75 s: a change of pose is shorter, drift is slower, and what is neither is a slow contact.
 ///
-/// A force that comes to rest within a contact, is left by more than contact_on and returns to rest at the same place is
-/// free air, whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
+/// A force that comes to rest within a contact, is left by more than contact_on and returns to rest at the same place
+/// is free air, whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
 class ContactDetector {
  public:
   /// Uses the parameters contact_*, pre_trigger and baseline_duration of `options`.
@@ -52,10 +52,10 @@ class ContactDetector {
   Nanoseconds crossing_since_ = 0;
   Nanoseconds crossing_arrival_ = 0;
   Nanoseconds last_time_ = 0;
-  double interval_ = 0.0;        ///< [s] since the last sample
-  Nanoseconds quiet_since_ = 0;   ///< when the force last moved
-  Nanoseconds moving_since_ = 0;  ///< when the force was last quiet
-  bool left_rest_ = false;       ///< the force was more than contact_on from `rest_`
+  double interval_ = 0.0;                ///< [s] since the last sample
+  Nanoseconds quiet_since_ = 0;          ///< when the force last moved
+  Nanoseconds moving_since_ = 0;         ///< when the force was last quiet
+  bool left_rest_ = false;               ///< the force was more than contact_on from `rest_`
   std::optional<Eigen::Vector3d> rest_;  ///< where the force last rested within the contact
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d fast_mean_ = Eigen::Vector3d::Zero();

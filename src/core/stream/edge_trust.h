@@ -18,8 +18,8 @@ namespace contact_shapelets::core {
 /// one edge and the next.
 class EdgeTrust {
  public:
-  /// True if the clock of `sender` is off: its edges come by as much too late or too early as the one before, or by more
-  /// than `longest` [s].
+  /// True if the clock of `sender` is off: its edges come by as much too late or too early as the one before, or by
+  /// more than `longest` [s].
   bool IsClockOff(const std::string& sender, Nanoseconds lateness, Nanoseconds longest);
 
  private:

@@ -45,7 +45,8 @@ std::uint32_t FaultsOf(const std::vector<WrenchSample>& samples, Nanoseconds beg
                        Nanoseconds longest_gap) {
   std::uint32_t faults = HeldFaults(samples, end);
   if (HasGap(samples, begin, end, longest_gap)) faults |= BitOf(EpisodeFault::kGap);
-  const auto wrong = std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.wrong_stamp; });
+  const auto wrong =
+      std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.wrong_stamp; });
   // Where all stamps are wrong, arrivals give one clock.
   const auto right = static_cast<std::ptrdiff_t>(samples.size()) - wrong;
   if (wrong > kWrongStamps && right > kWrongStamps) faults |= BitOf(EpisodeFault::kWrongStamps);

@@ -15,8 +15,8 @@ namespace contact_shapelets::core {
 constexpr std::uint32_t BitOf(EpisodeFault fault) { return 1U << static_cast<unsigned>(fault); }
 
 /// The faults of an episode's samples, a bit for each: a gap of more than `longest_gap`, a sensor that holds one value
-/// for 0.25 s or exact zeros for 0.1 s, more than two samples with a wrong stamp among others with a right one. `samples` are not empty and lie in
-/// [begin, end].
+/// for 0.25 s or exact zeros for 0.1 s, more than two samples with a wrong stamp among others with a right one.
+/// `samples` are not empty and lie in [begin, end].
 std::uint32_t FaultsOf(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end,
                        Nanoseconds longest_gap);
 

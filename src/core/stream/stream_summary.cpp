@@ -68,7 +68,8 @@ void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
 class Finder {
  public:
   explicit Finder(std::vector<Finding>* findings) : findings_(findings) {}
-  void operator()(bool wrong, const std::string& text, const char* remedy, Severity severity = Severity::kWarning) const {
+  void operator()(bool wrong, const std::string& text, const char* remedy,
+                  Severity severity = Severity::kWarning) const {
     if (wrong) findings_->push_back({severity, text, remedy});
   }
 
@@ -142,7 +143,8 @@ StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
   joined.publisher_turns += before.publisher_turns;
   joined.distrusted_edges += before.distrusted_edges;
   joined.repeated_openings += before.repeated_openings;
-  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) joined.episode_faults[fault] += before.episode_faults[fault];
+  for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault)
+    joined.episode_faults[fault] += before.episode_faults[fault];
   joined.repeated += before.repeated;
   joined.repeated_messages += before.repeated_messages;
   joined.gaps += before.gaps;

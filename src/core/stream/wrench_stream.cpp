@@ -26,11 +26,11 @@ constexpr std::size_t kWaitingEdges = 1000;
 struct WaitingEdge {
   EpisodeEdge edge;  ///< without a time, but with its stamp in place of it
   std::string sender;
-  Nanoseconds now = 0;         ///< of its arrival, on the clock that never goes back
-  Nanoseconds last_time = 0;   ///< of the sample before it; 0 where there was none on the same clock
-  Nanoseconds before = 0;      ///< its place by what was known of the clocks before the next sample
-  std::int64_t settings = 0;   ///< of clocks before it
-  bool follows_jump = false;   ///< it arrived after time jumped back, but before a sample did
+  Nanoseconds now = 0;        ///< of its arrival, on the clock that never goes back
+  Nanoseconds last_time = 0;  ///< of the sample before it; 0 where there was none on the same clock
+  Nanoseconds before = 0;     ///< its place by what was known of the clocks before the next sample
+  std::int64_t settings = 0;  ///< of clocks before it
+  bool follows_jump = false;  ///< it arrived after time jumped back, but before a sample did
   bool sample_after = false;
 };
 
@@ -84,7 +84,7 @@ void WrenchStream::Parts::AdvanceTo(Nanoseconds to) {
     if (!due || *due > to) break;
     RunTo(std::max(*due, now));
   }
-  RunTo(to);
+  now = std::max(now, to);
 }
 
 void WrenchStream::Parts::RunTo(Nanoseconds to) {
@@ -105,8 +105,8 @@ bool WrenchStream::Parts::CanPlace(Nanoseconds at) const {
   if (!due) return false;
   const WaitingEdge& front = waiting.front();
   // The place of a stamp hardly depends on the relation of the clocks, so that a backlog settles it as well.
-  const bool settled = at >= start + kSettling || (front.edge.source == EdgeSource::kStamped &&
-                                                   clock.last_time() - start_time >= kSettling);
+  const bool settled = at >= start + kSettling ||
+                       (front.edge.source == EdgeSource::kStamped && clock.last_time() - start_time >= kSettling);
   return at >= *due || (front.sample_after && !clock.is_in_doubt() && settled);
 }
 

@@ -10,8 +10,8 @@ namespace contact_shapelets {
 /// Tells when another publisher begins to send, without a look at names for each message.
 class PublisherWatch {
  public:
-  /// The publisher's name if `header`, of the message's connection, is not that of the last message; else none. Empty if
-  /// the header does not say.
+  /// The publisher's name if `header`, of the message's connection, is not that of the last message; else none. Empty
+  /// if the header does not say.
   std::optional<std::string> Next(const boost::shared_ptr<ros::M_string>& header) {
     if (header == last_) return std::nullopt;
     last_ = header;

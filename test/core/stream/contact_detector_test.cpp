@@ -143,7 +143,9 @@ TEST(ContactDetector, SeesASlowContactAndItsEnd) {
 
 TEST(ContactDetector, TakesWhatRisesByLessThanDriftForDrift) {
   ContactDetector detector(Options());
-  EXPECT_TRUE(Play(&detector, [](double time) { return 1.0 * time; }, 0.0, 60.0, 200.0).empty());
+  EXPECT_TRUE(Play(
+                  &detector, [](double time) { return 1.0 * time; }, 0.0, 60.0, 200.0)
+                  .empty());
 }
 
 TEST(ContactDetector, FollowsTheFreeAirForceThatAChangeOfPoseMoves) {

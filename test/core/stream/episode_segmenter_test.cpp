@@ -19,7 +19,10 @@ SegmentationOptions Options() {
 double Rising(double time) { return 10.0 * time; }
 
 void Edge(EpisodeSegmenter* segmenter, bool open, EdgeSource source, double time, double now, const char* id = "") {
-  const PlacedEdge placed{{open, Time(time), source, id, Time(now)}, Time(time), Time(now), false,
+  const PlacedEdge placed{{open, Time(time), source, id, Time(now)},
+                          Time(time),
+                          Time(now),
+                          false,
                           std::max<Nanoseconds>(0, Time(time) - Time(now))};
   segmenter->AddEdge(placed, Time(now));
 }
@@ -330,7 +333,8 @@ TEST(EpisodeSegmenter, RefusesOptionsAndNamesEveryFault) {
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();
     EXPECT_NE(message.find("sample_period must be in [0.0001, 1] s, but is 0"), std::string::npos) << message;
-    EXPECT_NE(message.find("contact_on must be above contact_off, at most 1e6 N, but is 1"), std::string::npos) << message;
+    EXPECT_NE(message.find("contact_on must be above contact_off, at most 1e6 N, but is 1"), std::string::npos)
+        << message;
     EXPECT_NE(message.find("edge_wait must be in [0, 1] s, but is 2"), std::string::npos) << message;
   }
 }

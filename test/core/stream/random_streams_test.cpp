@@ -43,7 +43,7 @@ enum class Kind { kWrench, kPlain, kStamped };
 
 struct Message {
   Kind kind = Kind::kWrench;
-  double sent = 0.0;     ///< true time, as the next
+  double sent = 0.0;  ///< true time, as the next
   double arrived = 0.0;
   Nanoseconds stamp = 0;
   Nanoseconds arrival = 0;
@@ -99,19 +99,44 @@ class Cell {
     if (Chance(0.3)) f.drift = Signed(1e-6, 5e-4);
     f.edges = random_.Index(5);
     const int fault = random_.Index(14);
-    if (fault == 1) { f.pc_step_at = At(); f.pc_step = Signed(0.05, 3.0); }
-    if (fault == 2) { f.driver_step_at = At(); f.driver_step = Signed(0.15, 30.0); }
-    if (fault == 3) { f.jump_at = At(); f.jump = random_.Uniform(1.0, 1000.0); }
-    if (fault == 4) { f.silent_at = At(); f.silent = random_.Uniform(0.05, 3.0); f.driver_step_at = f.silent_at;
-                      f.driver_step = Chance(0.5) ? Signed(0.0, 1e6) : 0.0; }
+    if (fault == 1) {
+      f.pc_step_at = At();
+      f.pc_step = Signed(0.05, 3.0);
+    }
+    if (fault == 2) {
+      f.driver_step_at = At();
+      f.driver_step = Signed(0.15, 30.0);
+    }
+    if (fault == 3) {
+      f.jump_at = At();
+      f.jump = random_.Uniform(1.0, 1000.0);
+    }
+    if (fault == 4) {
+      f.silent_at = At();
+      f.silent = random_.Uniform(0.05, 3.0);
+      f.driver_step_at = f.silent_at;
+      f.driver_step = Chance(0.5) ? Signed(0.0, 1e6) : 0.0;
+    }
     if (fault == 5) f.node_restart_at = 0.004 * std::floor(At() / 0.004);
     if (fault == 6) f.wrong_stamps = random_.Uniform(0.001, 0.02);
-    if (fault == 7) { f.zero_stamps = Chance(0.5) ? 1.0 : random_.Uniform(0.0, 0.5); f.offset = f.drift = 0.0; }
+    if (fault == 7) {
+      f.zero_stamps = Chance(0.5) ? 1.0 : random_.Uniform(0.0, 0.5);
+      f.offset = f.drift = 0.0;
+    }
     if (fault == 8) f.repeated = random_.Uniform(0.0, 0.2);
     if (fault == 9) f.lost = random_.Uniform(0.0, 0.02);
-    if (fault == 10) { f.early_events = Signed(0.2, 1.0); f.edges = 1; }
-    if (fault == 11) { f.lost_edge = random_.Index(8); f.edges = random_.Index(4); }
-    if (fault == 12) { f.stall_at = At(); f.stall = random_.Uniform(0.05, 0.8); }
+    if (fault == 10) {
+      f.early_events = Signed(0.2, 1.0);
+      f.edges = 1;
+    }
+    if (fault == 11) {
+      f.lost_edge = random_.Index(8);
+      f.edges = random_.Index(4);
+    }
+    if (fault == 12) {
+      f.stall_at = At();
+      f.stall = random_.Uniform(0.05, 0.8);
+    }
   }
 
   Nanoseconds DriverClock(double time) const {
@@ -297,18 +322,20 @@ bool IsUntouched(const Truth& truth, const Cell& cell, int index) {
     if (at > truth.open - 4.0 && at < truth.close + 1.0) return false;
   }
   const bool spoiled = f.wrong_stamps > 0.0 || f.lost > 0.0 || f.repeated > 0.0 || f.zero_stamps > 0.0;
-  return !spoiled && (f.lost_edge < 0 || index > f.lost_edge / 2 + 1 || index < f.lost_edge / 2 - 1) && truth.open > 1.0;
+  return !spoiled && (f.lost_edge < 0 || index > f.lost_edge / 2 + 1 || index < f.lost_edge / 2 - 1) &&
+         truth.open > 1.0;
 }
 
 std::string Describe(int seed, const Cell& cell) {
   const Faults& f = cell.faults();
   char text[600];
-  std::snprintf(text, sizeof(text),
-                "seed %d: rate %g latency %g jitter %g edges %d offset %g drift %g pc %g@%g driver %g@%g jump %g@%g silent "
-                "%g@%g node %g wrong %g zero %g repeated %g lost %g early %g edge %d stall %g@%g",
-                seed, f.rate, f.latency, f.jitter, f.edges, f.offset, f.drift, f.pc_step, f.pc_step_at, f.driver_step,
-                f.driver_step_at, f.jump, f.jump_at, f.silent, f.silent_at, f.node_restart_at, f.wrong_stamps,
-                f.zero_stamps, f.repeated, f.lost, f.early_events, f.lost_edge, f.stall, f.stall_at);
+  std::snprintf(
+      text, sizeof(text),
+      "seed %d: rate %g latency %g jitter %g edges %d offset %g drift %g pc %g@%g driver %g@%g jump %g@%g silent "
+      "%g@%g node %g wrong %g zero %g repeated %g lost %g early %g edge %d stall %g@%g",
+      seed, f.rate, f.latency, f.jitter, f.edges, f.offset, f.drift, f.pc_step, f.pc_step_at, f.driver_step,
+      f.driver_step_at, f.jump, f.jump_at, f.silent, f.silent_at, f.node_restart_at, f.wrong_stamps, f.zero_stamps,
+      f.repeated, f.lost, f.early_events, f.lost_edge, f.stall, f.stall_at);
   return text;
 }
 
@@ -317,11 +344,11 @@ void ExpectTruth(const Result& result, const Cell& cell, int seed, const char* w
   for (const Episode& episode : result.episodes) {
     if (Agrees(episode, cell, tolerance) || IsReported(episode, cell, result.summary)) continue;
     const Truth seen = TruthOf(episode);
-    const Truth nearest = *std::min_element(cell.truth().begin(), cell.truth().end(), [&](const auto& a, const auto& b) {
-      return std::abs(a.open - seen.open) < std::abs(b.open - seen.open);
-    });
-    ADD_FAILURE() << "in truth " << nearest.open << " to " << nearest.close << ", but " << way << ' ' << seen.open << " to " << seen.close << ", tolerance " << tolerance << "; "
-                  << Describe(seed, cell);
+    const Truth nearest = *std::min_element(
+        cell.truth().begin(), cell.truth().end(),
+        [&](const auto& a, const auto& b) { return std::abs(a.open - seen.open) < std::abs(b.open - seen.open); });
+    ADD_FAILURE() << "in truth " << nearest.open << " to " << nearest.close << ", but " << way << ' ' << seen.open
+                  << " to " << seen.close << ", tolerance " << tolerance << "; " << Describe(seed, cell);
   }
 }
 
@@ -343,7 +370,8 @@ void ExpectEqual(const Result& live, const Result& offline, const Cell& cell, in
     const Episode& other = offline.episodes[index];
     const double difference = std::abs(ToSeconds(one.start - other.start));
     EXPECT_EQ(one.complete, other.complete) << index << ' ' << Describe(seed, cell);
-    EXPECT_LE(difference, cell.faults().edges == 1 && cell.faults().early_events == 0.0 ? 0.0 : 0.002) << index << ' ' << Describe(seed, cell);
+    EXPECT_LE(difference, cell.faults().edges == 1 && cell.faults().early_events == 0.0 ? 0.0 : 0.002)
+        << index << ' ' << Describe(seed, cell);
     EXPECT_LE(std::abs(one.force.size() - other.force.size()), 1) << index << ' ' << Describe(seed, cell);
   }
 }

@@ -38,7 +38,8 @@ std::vector<Bound> Bounds() {
   return {
       {"sample_period", &O::sample_period, 1e-4, 0.05, before(1e-4), next(1.0), "| 0.0001 | 1 |"},
       {"tare_duration", &O::tare_duration, tiny, 10.0, 0.0, next(10.0), "| above 0 | 10 |"},
-      {"min_duration", &O::min_duration, 0.02, before(30.0), before(0.02), 30.0, "| 2 sample periods | below max_duration |"},
+      {"min_duration", &O::min_duration, 0.02, before(30.0), before(0.02), 30.0,
+       "| 2 sample periods | below max_duration |"},
       {"max_duration", &O::max_duration, next(0.1), 600.0, 0.1, next(600.0), "| above min_duration | 600 |"},
       {"max_gap", &O::max_gap, tiny, before(1.0), 0.0, 1.0, "| above 0 | below stream_timeout |"},
       {"stream_timeout", &O::stream_timeout, next(0.2), 60.0, 0.2, next(60.0), "| above max_gap | 60 |"},
