@@ -63,7 +63,7 @@ TEST(InspectTest, GapsAreCountedAndDoNotSpoilTheRate) {
   const std::string text = InspectFlaw(Flaw::kGap);
   EXPECT_TRUE(Contains(text, "6 gaps, the longest of 0.51 s")) << text;
   EXPECT_TRUE(Contains(text, "(100.0 Hz), jitter 0.0 ms")) << text;
-  EXPECT_TRUE(Contains(text, "6 episodes incomplete (trigger)")) << text;
+  EXPECT_TRUE(Contains(text, "6 episodes incomplete: a gap in the wrench (trigger)")) << text;
 }
 
 TEST(InspectTest, EveryFindingSaysWhatToDo) {

@@ -39,22 +39,25 @@ std::string NameByTime(Nanoseconds time) {
 }  // namespace
 
 EpisodeSegmenter::EpisodeSegmenter(const SegmentationOptions& options)
-    : options_(Checked(options)), contact_(options_), buffer_(BufferCapacity(options_)) {}
+    : options_(Checked(options)),
+      stream_timeout_(FromSeconds(options_.stream_timeout)),
+      max_duration_(FromSeconds(options_.max_duration)),
+      contact_(options_),
+      buffer_(BufferCapacity(options_)) {}
 
 void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   // A stream that paused for long ends the episode before its next sample counts. It paused by its own times alone: the
   // backlog of a busy machine arrives late, but whole.
   if (IsOpen() && !buffer_.empty() &&
-      sample.time - std::max(buffer_.back().time, intervals_.back().open) > FromSeconds(options_.stream_timeout)) {
+      sample.time - std::max(buffer_.back().time, intervals_.back().open) > stream_timeout_) {
     EndByStream(now, EpisodeFault::kStreamEnded);
     FinishReady(now);
   }
   buffer_.Add(sample);
   last_arrival_ = now;
   if (options_.segmentation == Segmentation::kContact) FollowContact(sample, now);
-  const Nanoseconds longest = FromSeconds(options_.max_duration);
-  if (IsOpen() && sample.time - intervals_.back().open >= longest) {
-    Close({false, intervals_.back().open + longest, EdgeSource::kCommand, "", now}, EndReason::kTimeout, now);
+  if (IsOpen() && sample.time - intervals_.back().open >= max_duration_) {
+    Close({false, intervals_.back().open + max_duration_, EdgeSource::kCommand, "", now}, EndReason::kTimeout, now);
   }
   FinishReady(now);
 }
@@ -91,8 +94,7 @@ void EpisodeSegmenter::AddEdge(const PlacedEdge& placed, Nanoseconds now) {
 }
 
 void EpisodeSegmenter::AdvanceTo(Nanoseconds now) {
-  if (IsOpen() && !buffer_.empty() &&
-      now - std::max(last_arrival_, intervals_.back().opened) >= FromSeconds(options_.stream_timeout)) {
+  if (IsOpen() && !buffer_.empty() && now - std::max(last_arrival_, intervals_.back().opened) >= stream_timeout_) {
     EndByStream(now, EpisodeFault::kStreamEnded);
   }
   FinishReady(now);
@@ -101,7 +103,7 @@ void EpisodeSegmenter::AdvanceTo(Nanoseconds now) {
 std::optional<Nanoseconds> EpisodeSegmenter::NextDue() const {
   std::optional<Nanoseconds> due;
   if (IsOpen() && !buffer_.empty()) {
-    due = std::max(last_arrival_, intervals_.back().opened) + FromSeconds(options_.stream_timeout);
+    due = std::max(last_arrival_, intervals_.back().opened) + stream_timeout_;
   }
   if (!intervals_.empty() && intervals_.front().closed) {
     const Nanoseconds deadline = DeadlineOf(intervals_.front());
@@ -218,7 +220,7 @@ bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now)
     interval->awaits_stamp = false;
     ProveOpening(placed, &*interval);
     if (last_close_ == interval->close) last_close_ = std::max(time, interval->open);
-    interval->close = std::clamp(time, interval->open, interval->open + FromSeconds(options_.max_duration));
+    interval->close = std::clamp(time, interval->open, interval->open + max_duration_);
     interval->deadline = now + placed.ahead + FromSeconds(options_.edge_wait);
     interval->closing.time = interval->close;
     interval->closing.id = interval->id;
@@ -260,7 +262,7 @@ void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanos
   if (!IsOpen()) return;
   Interval& interval = intervals_.back();
   interval.closed = true;
-  interval.close = std::clamp(closing.time, interval.open, interval.open + FromSeconds(options_.max_duration));
+  interval.close = std::clamp(closing.time, interval.open, interval.open + max_duration_);
   interval.reason = reason;
   interval.awaits_stamp = closing.source == EdgeSource::kPlain && interval.source == EdgeSource::kStamped;
   const double wait = interval.awaits_stamp ? options_.edge_match_window : options_.edge_wait;
@@ -274,7 +276,7 @@ void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanos
 Nanoseconds EpisodeSegmenter::DeadlineOf(const Interval& interval) const {
   if (interval.awaits_stamp) return interval.deadline;
   // While samples from before the edge arrive, more of them are on their way.
-  return std::min(interval.deadline + FromSeconds(options_.stream_timeout),
+  return std::min(interval.deadline + stream_timeout_,
                   std::max(interval.deadline, last_arrival_ + FromSeconds(options_.edge_wait)));
 }
 

@@ -114,6 +114,8 @@ class EpisodeSegmenter {
   Episode Cut(const Interval& interval, const std::vector<WrenchSample>& samples) const;
 
   SegmentationOptions options_;
+  Nanoseconds stream_timeout_;
+  Nanoseconds max_duration_;
   ContactDetector contact_;
   SampleBuffer buffer_;
   std::deque<Interval> intervals_;

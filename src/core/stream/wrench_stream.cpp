@@ -84,7 +84,7 @@ void WrenchStream::Parts::AdvanceTo(Nanoseconds to) {
     if (!due || *due > to) break;
     RunTo(std::max(*due, now));
   }
-  RunTo(to);
+  now = std::max(now, to);
 }
 
 void WrenchStream::Parts::RunTo(Nanoseconds to) {

@@ -85,7 +85,8 @@ class BagWriter {
   void Active(double time, bool active, const std::string& topic = "/episode_active") {
     std_msgs::Bool message;
     message.data = static_cast<std_msgs::Bool::_data_type>(active);
-    bag_.write(topic, At(time), message);
+    // As long as the wrench: what one message takes, another takes.
+    bag_.write(topic, At(time + 0.002), message);
   }
   void Event(double arrival, double stamp, bool open, const std::string& id = "") {
     EpisodeEvent message;

@@ -114,7 +114,7 @@ TEST_F(EpisodeBagTest, CutsByStampsIfThereAreSomeAndIgnoresPlainTriggers) {
     bag.Active(1.2, true);
     bag.Active(2.2, false);
     bag.Event(1.3, 1.0, true, "push_1");
-    bag.Event(2.3, 2.0, false, "push_1");
+    bag.Event(2.1, 2.0, false, "push_1");
   }
   const BagContents contents = ReadEpisodes(Path("pushes.bag"), Options());
   ASSERT_EQ(contents.episodes.size(), 1U);
@@ -145,7 +145,7 @@ TEST_F(EpisodeBagTest, CutsByTheStatusOfAnAction) {
       message.status_list.resize(1);
       message.status_list[0].status =
           index >= 10 && index < 20 ? actionlib_msgs::GoalStatus::ACTIVE : actionlib_msgs::GoalStatus::SUCCEEDED;
-      bag.Any("/push/status", 0.1 * index, message);
+      bag.Any("/push/status", 0.1 * index + 0.002, message);
     }
   }
   const BagContents contents = ReadEpisodes(Path("action.bag"), Options(core::Segmentation::kAction));
@@ -214,6 +214,36 @@ TEST_F(EpisodeBagTest, TakesTheWrenchTopicThatWasChosen) {
   for (const std::string name : {"/right/wrench", "right/wrench"}) {
     options.wrench_topic = name;
     EXPECT_NEAR(ReadEpisodes(Path("two.bag"), options).episodes.at(0).force[50], 7.0, 1e-5);
+  }
+}
+
+TEST_F(EpisodeBagTest, AnOutcomeWithinTheHoldOffBelongsToThatContact) {
+  {
+    BagWriter bag(Path("contact.bag"));
+    for (int index = 0; index < 1500; ++index) {
+      const bool contact = index % 500 >= 200 && index % 500 < 300;
+      bag.Wrench(0.01 * index, (contact ? 20.0 : 0.0) + 1e-4 * (index % 2));
+    }
+    for (int push = 0; push < 3; ++push) bag.Outcome(5.0 * push + 3.05, std::to_string(push));
+  }
+  const BagContents contents = ReadEpisodes(Path("contact.bag"), Options(core::Segmentation::kContact));
+  ASSERT_EQ(contents.episodes.size(), 3U);
+  for (std::size_t push = 0; push < 3; ++push) EXPECT_EQ(contents.episodes[push].outcome, std::to_string(push));
+}
+
+TEST_F(EpisodeBagTest, SubtractsTheTareThatWasRecordedAndSaysWhereThereIsNone) {
+  for (const bool tared : {true, false}) {
+    {
+      BagWriter bag(Path("tare.bag"));
+      bag.Rising(0.0, 3.0);
+      if (tared) bag.Any("/tare", 0.5, TareMessage({0.0, 0.0, 4.0}, 0, "flange"));
+      bag.Active(1.0, true);
+      bag.Active(2.0, false);
+    }
+    const BagContents contents = ReadEpisodes(Path("tare.bag"), Options());
+    ASSERT_EQ(contents.episodes.size(), 1U);
+    EXPECT_NEAR(contents.episodes[0].force[0], tared ? 6.05 : 10.05, 1e-3);
+    EXPECT_EQ(contents.stream.episode_faults[static_cast<std::size_t>(core::EpisodeFault::kNotTared)], tared ? 0 : 1);
   }
 }
 
