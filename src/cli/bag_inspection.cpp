@@ -192,13 +192,14 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
                      HasMarker(*inspection, "std_msgs/Bool", topics::kEpisodeActive);
   for (WrenchTopic& wrench : inspection->wrenches) {
     options.wrench_topic = wrench.name;
-    const auto find = [&](bool possible, const char* way, core::Segmentation segmentation, const char* reason) {
+    const auto find = [&](bool possible, const char* way, core::SegmentationMode segmentation, const char* reason) {
       options.segmentation.segmentation = segmentation;
       wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, {}, reason});
     };
-    find(edges, "trigger", core::Segmentation::kTrigger, "no episode_active (std_msgs/Bool) or episode_event topic");
-    find(true, "contact", core::Segmentation::kContact, "");
-    find(HasMarker(*inspection, kStatusType, nullptr), "action", core::Segmentation::kAction,
+    find(edges, "trigger", core::SegmentationMode::kTrigger,
+         "no episode_active (std_msgs/Bool) or episode_event topic");
+    find(true, "contact", core::SegmentationMode::kContact, "");
+    find(HasMarker(*inspection, kStatusType, nullptr), "action", core::SegmentationMode::kAction,
          "no actionlib_msgs/GoalStatusArray topic");
   }
 }

@@ -63,9 +63,9 @@ Options ReadOptions(const BagArguments& arguments) {
   std::string faults = reader.Faults();
   if (!faults.empty()) throw std::runtime_error(Joined(arguments.configs, ", ") + ": " + faults);
   if (!arguments.wrench_topic.empty()) options.reader.wrench_topic = arguments.wrench_topic;
-  if (arguments.segmentation == "contact") options.reader.segmentation.segmentation = core::Segmentation::kContact;
-  if (arguments.segmentation == "action") options.reader.segmentation.segmentation = core::Segmentation::kAction;
-  if (arguments.segmentation == "trigger") options.reader.segmentation.segmentation = core::Segmentation::kTrigger;
+  if (arguments.segmentation == "contact") options.reader.segmentation.segmentation = core::SegmentationMode::kContact;
+  if (arguments.segmentation == "action") options.reader.segmentation.segmentation = core::SegmentationMode::kAction;
+  if (arguments.segmentation == "trigger") options.reader.segmentation.segmentation = core::SegmentationMode::kTrigger;
   return options;
 }
 

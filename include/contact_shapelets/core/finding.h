@@ -3,8 +3,8 @@
 #include <string>
 
 /// \file
-/// What is wrong with recorded or streamed data. (What is wrong with parameters or a model is a fault, which stops the
-/// work; a finding does not.)
+/// What is wrong with recorded or streamed data. A finding does not stop the work. A fault does: an invalid parameter
+/// or model.
 
 namespace contact_shapelets::core {
 
@@ -12,7 +12,7 @@ namespace contact_shapelets::core {
 enum class Severity {
   kInformation,  ///< worth knowing, nothing to do
   kWarning,      ///< some results may be wrong
-  kError,        ///< results are wrong, or there are none
+  kError,        ///< results are wrong or missing
 };
 
 /// Something that is wrong with data.

@@ -9,18 +9,18 @@
 #include "contact_shapelets/core/time.h"
 
 /// \file
-/// A trained model: what a classifier needs, and how it was trained. Values as in ShapeletModel.msg.
+/// A trained model: what a classifier needs, and how it was trained. ShapeletModel.msg has the same fields.
 
 namespace contact_shapelets::core {
 
-/// What a model holds at the most: a faulty file must not take the memory, nor the time, of those who read it.
+/// Greatest number of shapelets. This and the limits below keep a faulty file from filling the reader's memory.
 constexpr int kMostShapelets = 10'000;
-constexpr int kMostClusters = 1'000;
-constexpr int kMostValues = 10'000'000;      ///< of all shapelets together, and of all centroids together
-constexpr int kGreatestReach = 6'000'000;    ///< [samples] of one shapelet: 600 s at the shortest sample period
-constexpr std::size_t kLongestLabel = 200;   ///< [bytes] of a cluster's name, an id or an objective
-constexpr std::size_t kLongestPath = 4'096;  ///< [bytes] of a source
-constexpr std::size_t kMostSources = 100'000;
+constexpr int kMostClusters = 1'000;           ///< greatest number of clusters
+constexpr int kMostValues = 10'000'000;        ///< values of all shapelets together, and of all centroids together
+constexpr int kGreatestReach = 6'000'000;      ///< [samples] reach of one shapelet: 600 s at the shortest sample period
+constexpr std::size_t kLongestLabel = 200;     ///< [bytes] length of a cluster's name, an id or an objective
+constexpr std::size_t kLongestPath = 4'096;    ///< [bytes] length of a source's path
+constexpr std::size_t kMostSources = 100'000;  ///< greatest number of sources
 
 /// One cluster in feature space.
 struct Cluster {
@@ -38,7 +38,7 @@ struct Provenance {
   std::uint64_t seed = 0;               ///< TrainerOptions::seed
   int training_episodes = 0;            ///< N, at least 0
   double typical_duration = 0.0;        ///< [s] median duration of the training episodes, [0, 1e7]
-  Nanoseconds trained = 0;              ///< when the training ended, on the machine's clock; 0: not known
+  Nanoseconds trained = 0;              ///< when the training ended, on the machine's clock; 0 if unknown
 };
 
 /// Shapelets and clusters.

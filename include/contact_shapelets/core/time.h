@@ -8,13 +8,13 @@
 
 namespace contact_shapelets::core {
 
-/// A point in time or a duration in nanoseconds; exact, unlike a double at today's date.
+/// A point in time or a duration in nanoseconds. A double could not hold today's date exactly.
 using Nanoseconds = std::int64_t;
 
-/// The duration of `seconds`, rounded to the nearest nanosecond; at most 9e9 s either way.
+/// Returns `seconds`, which lies in [-9e9, 9e9], rounded to the nearest nanosecond.
 inline Nanoseconds FromSeconds(double seconds) { return static_cast<Nanoseconds>(std::llround(seconds * 1e9)); }
 
-/// `duration` in seconds.
+/// Returns `duration` in seconds.
 inline double ToSeconds(Nanoseconds duration) { return 1e-9 * static_cast<double>(duration); }
 
 }  // namespace contact_shapelets::core

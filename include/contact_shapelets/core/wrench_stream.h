@@ -12,70 +12,71 @@
 #include "contact_shapelets/core/stream_summary.h"
 
 /// \file
-/// From wrenches and edges to episodes: clock, health, segmentation. The episode node feeds it from subscribers, the
-/// reader of bags from files, with the same calls, so that both give the same episodes.
+/// Turns wrenches and edges into episodes: clock, health, segmentation. The episode node feeds it from subscribers, the
+/// bag reader from files. Both make the same calls and get the same episodes.
 
 namespace contact_shapelets::core {
 
-/// One sensor's stream with its triggers. An arrival is the time of a message's receipt, which a bag records.
+/// The stream of one sensor with its triggers. An arrival is the time at which a message is received. Bags record it.
 ///
-/// All order and all waiting is by arrivals. A wrench has a time by its stamp, and an edge keeps its own clock until it
-/// gets its place among the wrenches: after the next wrench, and once the relation of the two clocks is known. How
-/// often AdvanceTo() is called makes no difference to what comes out, only to when.
+/// Arrivals decide the order and all waiting. The stamp of a wrench decides its time. An edge gets its place among the
+/// wrenches after the next wrench, and not before the relation of the two clocks is known. Frequent calls of
+/// AdvanceTo() make results come earlier, but do not change them.
 class WrenchStream {
  public:
   /// \throws std::invalid_argument naming every parameter that is out of range.
   explicit WrenchStream(const SegmentationOptions& options);
   ~WrenchStream();
-  /// Takes over the stream of another, which must not be used then.
+  /// Takes over the stream of another object, which must not be used afterwards.
   WrenchStream(WrenchStream&&) noexcept;
-  /// Takes over the stream of another, which must not be used then.
+  /// Takes over the stream of another object, which must not be used afterwards.
   WrenchStream& operator=(WrenchStream&&) noexcept;
 
-  /// Takes a wrench with the header's `stamp` (0: none). Counts and drops forces that are not finite or above
-  /// kGreatestForce. Returns false if it dropped the sample.
+  /// Takes the `force` [N] of a wrench with the header's `stamp` (0: none). Drops and counts samples that are not
+  /// finite, above kGreatestForce, repeated with their stamp or out of order. Returns false if it dropped the sample.
   bool AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force);
   /// Takes an edge without a stamp, at its `arrival`. Ignores edges that change nothing.
   void AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id = "");
   /// Takes a service call at `arrival`.
   void AddCommand(bool open, Nanoseconds arrival);
-  /// Takes an edge with a `stamp` on the clock of the wrench; a stamp of 0 counts as none. The stamps of a `sender`
-  /// whose edges are all too late or too early alike are on another clock: the arrivals of its edges count.
+  /// Takes an edge with a `stamp` on the clock of the wrench. A stamp of 0 makes it an unstamped edge. If the edges of
+  /// a `sender` are too late or too early by the same amount, its clock is off, and their arrivals count.
   void AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival,
                       const std::string& sender = "");
-  /// Takes the status of an action: a goal is `active` or not. A change is a plain edge.
+  /// Takes the status of an action: a goal is `active` or not. A change counts as an unstamped edge.
   void AddStatus(bool active, Nanoseconds arrival);
-  /// Lets time pass without a wrench: waits and timeouts run out.
+  /// Lets time pass without a wrench, so that waits and timeouts run out.
   void AdvanceTo(Nanoseconds arrival);
-  /// Ends the input: finishes the episodes that wait; an open one ends with EndReason::kStream.
+  /// Ends the input. Finishes the episodes that wait. An open episode ends with EndReason::kStream.
   void Finish();
 
-  /// Takes the mean force of the last `tare_duration` as the tare of TareSource::kService and returns it [N].
+  /// Sets the tare of TareSource::kService to the mean force of the last `tare_duration`. Returns it [N].
   /// \throws std::runtime_error if no wrench has arrived yet.
   Eigen::Vector3d TareNow();
-  /// Sets the tare [N] of TareSource::kService, as it was measured before.
+  /// Sets the tare [N] of TareSource::kService to one that was measured earlier.
   void SetTare(const Eigen::Vector3d& tare);
-  /// Time of the last wrench, on the clock of the stamps.
+  /// Returns the time of the last wrench, on the clock of the stamps.
   Nanoseconds last_wrench() const;
 
-  /// Says who sends the wrenches that follow. Two that take turns are a finding.
+  /// Sets the publisher of the wrenches that follow. Two publishers that take turns are a finding.
   void SetPublisher(const std::string& name);
-  /// Sets the sensor's frame, which episodes carry.
+  /// Sets the sensor's frame, which becomes Episode::frame_id.
   void set_frame_id(const std::string& frame_id);
-  /// True while an episode is open, or about to be.
+  /// Returns true while an episode is open or a waiting edge will open one.
   bool IsOpen() const;
-  /// The open episode so far, incomplete; none if no episode is open or it is shorter than `min_duration`.
+  /// Returns the open episode so far, marked as incomplete; nothing if no episode is open or it is shorter than
+  /// `min_duration`.
   std::optional<Episode> OpenEpisode() const;
-  /// True if TakeEpisodes() or TakeEdges() would return something.
+  /// Returns true if TakeEpisodes() or TakeEdges() would return something.
   bool HasNews() const;
-  /// The episodes that ended since the last call, in the order of their ends.
+  /// Returns the episodes that ended since the last call, in the order of their ends.
   std::vector<Episode> TakeEpisodes();
-  /// The edges decided on since the last call, in order.
+  /// Returns the edges that were decided since the last call, in order. A later edge may correct an earlier one.
   std::vector<EpisodeEdge> TakeEdges();
 
-  /// The health of the whole stream and of its episodes.
+  /// Returns the health of the whole stream and of its episodes.
   StreamSummary Summary() const;
-  /// The same since the last call, or since the start.
+  /// Returns the health since the last call, or since the start.
   StreamSummary TakeLap();
 
  private:

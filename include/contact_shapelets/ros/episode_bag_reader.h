@@ -9,35 +9,35 @@
 #include "contact_shapelets/core/stream_summary.h"
 
 /// \file
-/// Episodes out of recorded bags, by the same classes that cut the live stream.
+/// Reads episodes from recorded bags. The classes that cut the live stream cut the recorded one too.
 
 namespace contact_shapelets {
 
 /// What to read.
 struct BagReaderOptions {
-  core::SegmentationOptions segmentation;  ///< how raw wrench is cut
-  std::string wrench_topic;  ///< empty: the only WrenchStamped; a name also wins over Episode messages in the bag
+  core::SegmentationOptions segmentation;  ///< how to cut raw wrench into episodes
+  std::string wrench_topic;  ///< if empty, the only WrenchStamped topic; if given, Episode messages are not read
 };
 
-/// What was in one bag.
+/// The contents of one bag.
 struct BagContents {
   std::vector<core::Episode> episodes;  ///< in order of their ends, with the outcomes that the bag gives them
-  core::StreamSummary stream;           ///< of the wrench and of what was cut; no samples if Episode messages were read
-  int dropped_episodes = 0;             ///< too short, or without a sample
+  core::StreamSummary stream;  ///< health of the wrench and its episodes; no samples if Episode messages were read
+  int dropped_episodes = 0;    ///< number of episodes that are too short or have no sample
 };
 
-/// Called with the part of the bag that was read, [0, 1]. It may throw core::Cancelled, which passes through.
+/// Called with the part of the bag that was read, in [0, 1]. May throw core::Cancelled to stop the reading.
 using ReadProgress = std::function<void(double)>;
 
-/// Reads the episodes of one bag as a stream: Episode messages where it has some, else raw wrench with its triggers.
+/// Reads the episodes of one bag: its Episode messages if it has any, else the raw wrench with its triggers.
 ///
 /// \throws std::runtime_error in one line that names the bag: no such file, not a bag, cut off, no WrenchStamped topic
 /// or more than one, no episode in it.
 BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options,
                          const ReadProgress& progress = nullptr);
 
-/// ReadEpisodes() of several bags, one after the other. \throws std::runtime_error as it does, or where there is no
-/// bag.
+/// Reads the episodes of several bags, one after the other. \throws std::runtime_error as ReadEpisodes() does, or if
+/// `paths` is empty.
 std::vector<core::Episode> ReadAllEpisodes(const std::vector<std::string>& paths, const BagReaderOptions& options,
                                            const ReadProgress& progress = nullptr);
 

@@ -8,13 +8,13 @@ namespace contact_shapelets::core {
 namespace {
 
 constexpr Nanoseconds kBucket = 250'000'000;
-/// Complete buckets that have to agree on a rise.
+/// Number of complete buckets that have to agree on a rise.
 constexpr std::size_t kRise = 3;
-/// Fewer buckets give no slope.
+/// Fewer buckets are too few for a slope.
 constexpr std::size_t kSlopeBuckets = 8;
-/// No clock drifts faster.
+/// [s/s] No clock drifts faster.
 constexpr double kGreatestDrift = 0.005;
-/// A line that is off by less does no harm.
+/// [ns] A smaller error of the line does no harm.
 constexpr double kLeastTolerance = 5e6;
 constexpr double kSpreadSeconds = 5.0;
 constexpr double kGreatestInterval = 0.05;
@@ -35,7 +35,7 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
 bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   const Nanoseconds above = delay - At(arrival);
   const bool early = above < -static_cast<Nanoseconds>(kLeastTolerance);
-  // A single early stamp is a wrong one.
+  // A single early stamp is wrong. Two in a row are right.
   if (early && !std::exchange(was_early_, early)) return false;
   was_early_ = early;
   if (above < 0) delay_ += above;
@@ -52,8 +52,8 @@ bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
   return risen;
 }
 
-/// Samples count by the time between their stamps. A backlog after a stall says nothing of the usual jitter: what is
-/// far above it counts for little.
+/// Weights each delay by the time since the last stamp. Limits great delays, because a backlog after a stall says
+/// nothing about the usual jitter.
 void ClockRelation::FollowSpread(Nanoseconds stamp, Nanoseconds above) {
   const double interval = std::clamp(ToSeconds(stamp - last_stamp_), 0.0, kGreatestInterval);
   last_stamp_ = stamp;
@@ -74,7 +74,7 @@ void ClockRelation::Open(Nanoseconds arrival, Nanoseconds delay) {
   ++size_;
 }
 
-/// A queue that empties gives delays that fall: these are no rise.
+/// Returns true if the last buckets are late by nearly the same delay. Falling delays come from a queue that empties.
 bool ClockRelation::HasRisen() const {
   if (size_ < kRise) return false;
   Nanoseconds least = BucketAt(size_ - 1).delay;
@@ -95,8 +95,9 @@ void ClockRelation::Keep(std::size_t count) {
   spread_duration_ = 0.0;
 }
 
-/// The edge of the lower convex hull over the middle of the window is the line below all points that is nearest to
-/// them in the mean (Zhang, Liu and Xia, Clock synchronization algorithms for network measurements, INFOCOM 2002).
+/// Fits the line below all points that has the least mean distance to them: the edge of the lower convex hull that
+/// spans the mean arrival (Zhang, Liu and Xia, Clock synchronization algorithms for network measurements, INFOCOM
+/// 2002).
 void ClockRelation::Fit() {
   std::array<Bucket, kBuckets> hull{};
   std::size_t corners = 0;

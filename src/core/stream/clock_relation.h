@@ -6,31 +6,32 @@
 #include "contact_shapelets/core/time.h"
 
 /// \file
-/// How far two clocks are apart, and how fast they drift, seen through a transport that delays.
+/// Estimates the offset and the drift of two clocks from messages that a transport delays.
 
 namespace contact_shapelets::core {
 
-/// Least delay over time: the line below all pairs of arrival and delay (arrival less stamp) of the last ten seconds.
+/// Least delay over time. A delay is arrival minus stamp. The relation is a line below all pairs of arrival and delay
+/// of the last ten seconds.
 ///
-/// No message arrives before it is sent, so that the line is the offset of the clocks plus the least latency, and its
-/// slope is their drift. A second delay in a row below the line lowers it. Delays that stay above it alike for three
-/// quarters of a second move it up: a clock was set, or the transport became slower.
+/// No message arrives before it is sent. So the line is the offset of the clocks plus the least latency, and its slope
+/// is their drift. Two delays in a row below the line lower it. Nearly equal delays above the line for three quarters
+/// of a second raise it: a clock was set, or the transport became slower.
 class ClockRelation {
  public:
   /// Forgets all, and begins with this delay.
   void Restart(Nanoseconds arrival, Nanoseconds delay);
-  /// Takes the delay of a message. Returns true where it completes a rise of the line by more than IsLate() calls late.
+  /// Takes the delay of a message. Returns true if it raises the line: the last delays were all late by IsLate().
   bool Add(Nanoseconds arrival, Nanoseconds delay);
 
-  /// The least delay at `arrival`.
+  /// Returns the least delay at `arrival`.
   Nanoseconds At(Nanoseconds arrival) const {
     return delay_ + static_cast<Nanoseconds>(slope_ * static_cast<double>(arrival - origin_));
   }
-  /// Whether a message with this delay took longer than the transport's usual jitter explains.
+  /// Returns true if a message with this delay took longer than the usual jitter of the transport explains.
   bool IsLate(Nanoseconds arrival, Nanoseconds delay) const { return delay - At(arrival) > Tolerance(); }
-  /// What messages are later than the least delay, in the mean.
+  /// Mean of the delays above the least delay.
   Nanoseconds spread() const { return static_cast<Nanoseconds>(spread_); }
-  /// Drift of the stamps' clock, [s/s] that delays grow.
+  /// [s/s] growth of the delays: the drift of the stamps' clock.
   double drift() const { return slope_; }
 
  private:
@@ -54,10 +55,10 @@ class ClockRelation {
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   Nanoseconds origin_ = 0;
-  Nanoseconds delay_ = 0;  ///< of the line at `origin_`
+  Nanoseconds delay_ = 0;  ///< of the line, at `origin_`
   double slope_ = 0.0;
   double spread_ = 0.0;           ///< [ns] running mean of delays above the line
-  double spread_duration_ = 0.0;  ///< [s] that it is the mean of
+  double spread_duration_ = 0.0;  ///< [s] over which `spread_` is the mean
   bool was_early_ = false;        ///< the last delay was below the line
   Nanoseconds last_stamp_ = 0;
 };

@@ -7,12 +7,12 @@ namespace {
 
 /// [N/s] Drift is slower, contact is faster.
 constexpr double kGreatestDrift = 1.5;
-/// [s] Time constants of the two means that the slope is taken from.
+/// [s] Time constants of the two means that give the slope.
 constexpr double kFast = 0.1;
 constexpr double kSlow = 0.4;
-/// That the force has to be quiet before it is taken to rest.
+/// A force that is quiet for this long rests.
 constexpr Nanoseconds kQuiet = 500'000'000;
-/// That the force may move before that is no change of the free-air force, as a change of pose makes it.
+/// A change of pose moves the free-air force for at most this long.
 constexpr Nanoseconds kMove = 750'000'000;
 
 }  // namespace
@@ -38,7 +38,7 @@ std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSa
   return Cross(sample, arrival);
 }
 
-/// The difference of two running means of unlike time constants is the slope times the difference of these.
+/// Two running means of different time constants differ by the slope times the difference of the constants.
 void ContactDetector::FollowMeans(const WrenchSample& sample) {
   if (!started_) {
     started_ = true;

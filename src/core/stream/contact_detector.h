@@ -7,18 +7,18 @@
 #include "core/stream/wrench_sample.h"
 
 /// \file
-/// When the tool touches something: a force threshold with hysteresis over a running free-air baseline.
+/// Detects when the tool touches something: a force threshold with hysteresis over a running free-air baseline.
 
 namespace contact_shapelets::core {
 
 /// Decides on contact from the force alone.
 ///
-/// The baseline starts once the force was quiet for half a second: it moves by less than 1.5 N/s. From then on it
-/// follows the force with the time constant `baseline_duration`, but not in contact, and not while the force has moved
-/// for more than 0.75 s: a change of pose is shorter, drift is slower, and what is neither is a slow contact.
+/// The force is quiet if it moves by less than 1.5 N/s. The baseline starts when the force was quiet for half a second.
+/// Then it follows the force with the time constant `baseline_duration`. It stands still in contact, and while the
+/// force has moved for more than 0.75 s: a change of pose is shorter, drift is slower, so this is a slow contact.
 ///
-/// A force that comes to rest within a contact, is left by more than contact_on and returns to rest at the same place
-/// is free air, whatever the baseline was before: the sensor re-zeroed, or the stream began in contact.
+/// A force may come to rest within a contact, move away by more than contact_on and return to rest at the same value.
+/// Then this value is free air: the sensor re-zeroed, or the stream began in contact.
 class ContactDetector {
  public:
   /// Uses the parameters contact_*, pre_trigger and baseline_duration of `options`.
@@ -26,17 +26,17 @@ class ContactDetector {
 
   /// A change of contact.
   struct Change {
-    bool contact;         ///< true where contact began
-    Nanoseconds time;     ///< when the episode begins (the pre-trigger time before the contact) or ends
-    Nanoseconds arrival;  ///< when the force crossed the threshold, by the clock of arrivals
-    bool zero_moved;      ///< the contact ends since its force turned out to be that of free air
+    bool contact;         ///< true if contact began, false if it ended
+    Nanoseconds time;     ///< when the episode begins (`pre_trigger` before the contact) or ends
+    Nanoseconds arrival;  ///< when the force crossed the threshold, on the clock of arrivals
+    bool zero_moved;      ///< the contact ends because its force turned out to be that of free air
   };
 
-  /// Takes the next sample, which came at `arrival`; returns a change where this sample decides one.
+  /// Takes the next sample, which came at `arrival`. Returns a change if this sample decides one.
   std::optional<Change> AddSample(const WrenchSample& sample, Nanoseconds arrival);
 
-  /// Ends the contact and takes the present force for the new baseline, so that a lasting force does not trigger again.
-  /// The old baseline returns once the force is within contact_off of it: letting go is no contact.
+  /// Ends the contact and makes the present force the baseline, so that a lasting force does not trigger again. The old
+  /// baseline returns when the force comes within contact_off of it, so that letting go does not trigger either.
   void EndContact();
 
  private:
@@ -48,7 +48,7 @@ class ContactDetector {
   bool started_ = false;
   bool has_baseline_ = false;
   bool in_contact_ = false;
-  bool crossing_ = false;  ///< the force is beyond the threshold that would change the state
+  bool crossing_ = false;  ///< the force is beyond the threshold, but not for long enough yet
   Nanoseconds crossing_since_ = 0;
   Nanoseconds crossing_arrival_ = 0;
   Nanoseconds last_time_ = 0;
@@ -60,7 +60,7 @@ class ContactDetector {
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d fast_mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d slow_mean_ = Eigen::Vector3d::Zero();
-  std::optional<Eigen::Vector3d> free_air_;  ///< the baseline before a contact that was ended by EndContact()
+  std::optional<Eigen::Vector3d> free_air_;  ///< the baseline before a contact that EndContact() ended
   Eigen::Vector3d baseline_ = Eigen::Vector3d::Zero();
 };
 

@@ -7,9 +7,9 @@ namespace {
 
 constexpr Nanoseconds kEarliest = -20'000'000;
 constexpr Nanoseconds kLatest = 100'000'000;
-/// Latenesses of one clock differ by less.
+/// Latenesses of edges by one clock differ by at most this.
 constexpr Nanoseconds kAlike = 50'000'000;
-/// Names of senders that come and go must not fill the memory.
+/// Limits the memory for senders that come and go.
 constexpr std::size_t kSenders = 100;
 
 }  // namespace

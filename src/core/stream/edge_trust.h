@@ -7,19 +7,18 @@
 #include "contact_shapelets/core/time.h"
 
 /// \file
-/// Whether the stamps of edges are on the clock of the wrench.
+/// Decides whether the stamps of edges are on the clock of the wrench.
 
 namespace contact_shapelets::core {
 
-/// Judges stamped edges by how late they come, for each sender by itself.
+/// Judges each sender of stamped edges by the lateness of its edges: arrival minus stamp.
 ///
-/// A stamp is on the clock of the wrench if its edge comes as late as a transport makes it, -20 to 100 ms. Later or
-/// earlier ones may come from a sender that took its time, or whose clock is off: an offset of clocks is the same for
-/// one edge and the next.
+/// A transport makes edges -20 to 100 ms late. Other latenesses come from a slow sender or from a clock that is off.
+/// The next edge tells which: a clock that is off makes all edges late by the same time.
 class EdgeTrust {
  public:
-  /// True if the clock of `sender` is off: its edges come by as much too late or too early as the one before, or by
-  /// more than `longest` [s].
+  /// Returns true if the clock of `sender` is off: this lateness is unusual and close to the one before, or greater
+  /// than `longest` in either direction.
   bool IsClockOff(const std::string& sender, Nanoseconds lateness, Nanoseconds longest);
 
  private:

@@ -8,9 +8,9 @@ namespace {
 
 constexpr Nanoseconds kFrozen = 250'000'000;
 constexpr Nanoseconds kZeros = 100'000'000;
-/// Two samples of a slow sensor may be alike by chance.
+/// Fewer equal samples of a slow sensor may be chance.
 constexpr int kHeld = 4;
-/// As few are placed well enough by their arrivals.
+/// Arrivals place this few samples well enough.
 constexpr std::ptrdiff_t kWrongStamps = 2;
 
 bool HasGap(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end, Nanoseconds longest) {
@@ -22,7 +22,7 @@ bool HasGap(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanosec
   return end - last > longest;
 }
 
-/// A value is held until the next one.
+/// A value lasts until the next sample.
 std::uint32_t HeldFaults(const std::vector<WrenchSample>& samples, Nanoseconds end) {
   std::uint32_t faults = 0;
   std::size_t first = 0;
@@ -47,7 +47,7 @@ std::uint32_t FaultsOf(const std::vector<WrenchSample>& samples, Nanoseconds beg
   if (HasGap(samples, begin, end, longest_gap)) faults |= BitOf(EpisodeFault::kGap);
   const auto wrong =
       std::count_if(samples.begin(), samples.end(), [](const auto& sample) { return sample.wrong_stamp; });
-  // Where all stamps are wrong, arrivals give one clock.
+  // If all stamps are wrong, all samples are on the clock of arrivals, and the episode is sound.
   const auto right = static_cast<std::ptrdiff_t>(samples.size()) - wrong;
   if (wrong > kWrongStamps && right > kWrongStamps) faults |= BitOf(EpisodeFault::kWrongStamps);
   return faults;

@@ -11,12 +11,12 @@
 
 namespace contact_shapelets::core {
 
-/// The bit of a fault in a set of them.
+/// Returns the bit of a fault in a set of faults.
 constexpr std::uint32_t BitOf(EpisodeFault fault) { return 1U << static_cast<unsigned>(fault); }
 
-/// The faults of an episode's samples, a bit for each: a gap of more than `longest_gap`, a sensor that holds one value
-/// for 0.25 s or exact zeros for 0.1 s, more than two samples with a wrong stamp among others with a right one.
-/// `samples` are not empty and lie in [begin, end].
+/// Returns the faults of an episode's samples, one bit each: a gap of more than `longest_gap`; one value for 0.25 s;
+/// exact zeros for 0.1 s; more than two wrong stamps besides more than two right ones. `samples` are not empty and lie
+/// in [begin, end].
 std::uint32_t FaultsOf(const std::vector<WrenchSample>& samples, Nanoseconds begin, Nanoseconds end,
                        Nanoseconds longest_gap);
 

@@ -13,7 +13,7 @@ namespace contact_shapelets::core {
 namespace {
 
 constexpr double kGreatestRate = 2000.0;
-/// [s] that edges wait at most for their place.
+/// [s] Longest wait of an edge for its place.
 constexpr double kPlacing = 2.0;
 
 std::size_t BufferCapacity(const SegmentationOptions& options) {
@@ -28,7 +28,7 @@ SegmentationOptions Checked(const SegmentationOptions& options) {
   return options;
 }
 
-/// The time of an episode's start names it within a recording, the same in a replay.
+/// Returns an id that is unique within a recording and the same in a replay.
 std::string NameByTime(Nanoseconds time) {
   char text[40];
   std::snprintf(text, sizeof(text), "%lld.%03lld", static_cast<long long>(time / 1'000'000'000),
@@ -46,8 +46,8 @@ EpisodeSegmenter::EpisodeSegmenter(const SegmentationOptions& options)
       buffer_(BufferCapacity(options_)) {}
 
 void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
-  // A stream that paused for long ends the episode before its next sample counts. It paused by its own times alone: the
-  // backlog of a busy machine arrives late, but whole.
+  // A long pause of the stream ends the episode before the next sample. The samples' times decide, not the arrivals:
+  // the backlog of a busy machine arrives late, but whole.
   if (IsOpen() && !buffer_.empty() &&
       sample.time - std::max(buffer_.back().time, intervals_.back().open) > stream_timeout_) {
     EndByStream(now, EpisodeFault::kStreamEnded);
@@ -55,7 +55,7 @@ void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   }
   buffer_.Add(sample);
   last_arrival_ = now;
-  if (options_.segmentation == Segmentation::kContact) FollowContact(sample, now);
+  if (options_.segmentation == SegmentationMode::kContact) FollowContact(sample, now);
   if (IsOpen() && sample.time - intervals_.back().open >= max_duration_) {
     Close({false, intervals_.back().open + max_duration_, EdgeSource::kCommand, "", now}, EndReason::kTimeout, now);
   }
@@ -69,7 +69,7 @@ void EpisodeSegmenter::FollowContact(const WrenchSample& sample, Nanoseconds now
     if (change->zero_moved && IsOpen()) intervals_.back().faults |= BitOf(EpisodeFault::kZeroMoved);
     Close({false, change->time, EdgeSource::kContact, "", change->arrival}, EndReason::kContact, now);
   } else if (!IsOpen()) {
-    // Two contacts close to each other share no sample, or the first would be in the tare of the second.
+    // Two contacts must not share samples, or the first would be in the tare of the second.
     const Nanoseconds time = std::max(change->time, last_close_);
     Open({{true, time, EdgeSource::kContact, "", now}, time, time, false, 0}, now);
   }
@@ -77,8 +77,8 @@ void EpisodeSegmenter::FollowContact(const WrenchSample& sample, Nanoseconds now
 
 void EpisodeSegmenter::AddEdge(const PlacedEdge& placed, Nanoseconds now) {
   const EpisodeEdge& edge = placed.edge;
-  if (options_.segmentation == Segmentation::kContact && edge.source != EdgeSource::kCommand) return;
-  if (edge.source == EdgeSource::kPlain && IsTwin(edge)) return;
+  if (options_.segmentation == SegmentationMode::kContact && edge.source != EdgeSource::kCommand) return;
+  if (edge.source == EdgeSource::kUnstamped && IsTwin(edge)) return;
   if (edge.source == EdgeSource::kStamped && TakeStamped(placed, now)) {
     FinishReady(now);
     return;
@@ -172,7 +172,7 @@ bool EpisodeSegmenter::IsStale(const EpisodeEdge& edge) const {
   return edge.open ? edge.time < last_close_ : edge.time <= last_close_;
 }
 
-/// Returns true where nothing remains to be done with the edge.
+/// Returns true if nothing remains to be done with the edge.
 bool EpisodeSegmenter::TakeStamped(const PlacedEdge& placed, Nanoseconds now) {
   const EpisodeEdge& edge = placed.edge;
   if (!edge.open && CorrectClosing(placed, now)) return true;
@@ -231,8 +231,8 @@ bool EpisodeSegmenter::CorrectClosing(const PlacedEdge& placed, Nanoseconds now)
   return false;
 }
 
-/// A stamp that came long after its time may be of a slow sender or of a clock that is off. The closing tells: an
-/// offset of clocks is the same for both.
+/// A late opening comes from a slow sender or from a clock that is off. The closing tells which: a clock that is off
+/// makes both late by the same time.
 void EpisodeSegmenter::ProveOpening(const PlacedEdge& closing, Interval* interval) {
   if (interval->source != EdgeSource::kStamped) return;
   const Nanoseconds proven = closing.clock_is_off ? interval->open_by_arrival : interval->open_by_stamp;
@@ -264,7 +264,7 @@ void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanos
   interval.closed = true;
   interval.close = std::clamp(closing.time, interval.open, interval.open + max_duration_);
   interval.reason = reason;
-  interval.awaits_stamp = closing.source == EdgeSource::kPlain && interval.source == EdgeSource::kStamped;
+  interval.awaits_stamp = closing.source == EdgeSource::kUnstamped && interval.source == EdgeSource::kStamped;
   const double wait = interval.awaits_stamp ? options_.edge_match_window : options_.edge_wait;
   interval.deadline = now + ahead + FromSeconds(wait);
   interval.closing = {false, interval.close, closing.source, interval.id, closing.arrival};
@@ -275,7 +275,7 @@ void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanos
 
 Nanoseconds EpisodeSegmenter::DeadlineOf(const Interval& interval) const {
   if (interval.awaits_stamp) return interval.deadline;
-  // While samples from before the edge arrive, more of them are on their way.
+  // While samples from before the edge arrive, more may be on their way.
   return std::min(interval.deadline + stream_timeout_,
                   std::max(interval.deadline, last_arrival_ + FromSeconds(options_.edge_wait)));
 }
@@ -286,7 +286,7 @@ void EpisodeSegmenter::FinishReady(Nanoseconds now) {
     const bool all_there = !interval.awaits_stamp && !buffer_.empty() && buffer_.back().time >= interval.close;
     if (!all_there && now < DeadlineOf(interval)) return;
     if (interval.awaits_stamp) {
-      // No twin came. Its samples may still be on their way.
+      // No stamped twin came. The samples may still be on their way.
       interval.awaits_stamp = false;
       edges_.push_back(interval.closing);
       continue;

@@ -7,14 +7,14 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Walks along the interpolant and integrates it exactly; positions only go forward.
+/// Integrates the interpolant exactly. Positions only go forward.
 class Integrator {
  public:
   Integrator(const std::vector<WrenchSample>& samples, Nanoseconds origin) : samples_(samples), origin_(origin) {
     while (next_ < samples_.size() && samples_[next_].time <= origin_) ++next_;
   }
 
-  /// Integral of each component from the last position to `position` [s from the origin].
+  /// Returns the integral of each component from the last position to `position` [s from the origin].
   Eigen::Vector3d To(double position) {
     Eigen::Vector3d integral = Eigen::Vector3d::Zero();
     while (next_ < samples_.size() && TimeOf(next_) < position) {
@@ -64,7 +64,7 @@ Eigen::VectorXf ResampledMagnitude(const std::vector<WrenchSample>& samples, Nan
                                    double sample_period, const Eigen::Vector3d& tare) {
   if (samples.empty()) throw std::invalid_argument("there is no sample to resample");
   if (!(sample_period > 0.0)) throw std::invalid_argument("the sample period must be above 0");
-  // A period that fits but for rounding counts as fitting.
+  // The tolerance lets the last period fit despite rounding.
   const auto count = static_cast<int>(std::floor(ToSeconds(end - begin) / sample_period + 1e-6));
   Eigen::VectorXf magnitude(std::max(0, count));
   Integrator integrator(samples, begin);

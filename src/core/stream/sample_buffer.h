@@ -7,12 +7,12 @@
 
 namespace contact_shapelets::core {
 
-/// The last samples, oldest first; old ones are overwritten.
+/// A ring buffer of the last samples, oldest first.
 class SampleBuffer {
  public:
   /// Keeps `capacity` samples.
   explicit SampleBuffer(std::size_t capacity) : samples_(capacity) {}
-  /// Adds the newest sample.
+  /// Adds the newest sample. A full buffer forgets the oldest.
   void Add(const WrenchSample& sample) {
     if (size_ < samples_.size()) {
       samples_[(first_ + size_) % samples_.size()] = sample;
@@ -24,11 +24,11 @@ class SampleBuffer {
   }
   /// Forgets all samples.
   void Clear() { size_ = 0; }
-  /// True if there is no sample.
+  /// Returns true if there is no sample.
   bool empty() const { return size_ == 0; }
-  /// The newest sample.
+  /// Returns the newest sample.
   const WrenchSample& back() const { return (*this)[size_ - 1]; }
-  /// The samples with begin <= time <= end.
+  /// Returns the samples with begin <= time <= end.
   std::vector<WrenchSample> Between(Nanoseconds begin, Nanoseconds end) const {
     std::size_t low = size_;
     while (low > 0 && (*this)[low - 1].time >= begin) --low;

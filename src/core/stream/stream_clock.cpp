@@ -6,11 +6,11 @@ namespace contact_shapelets::core {
 namespace {
 
 constexpr Nanoseconds kMillisecond = 1'000'000;
-/// Arrivals on one connection never go back by more, but where this machine's clock was set.
+/// If arrivals on one connection go back by more, this machine's clock was set.
 constexpr Nanoseconds kBackward = kMillisecond;
-/// A stamp may be earlier than the last one's delay says by so much, or by three intervals: a queue that empties.
+/// A queue that empties shortens the delay from one stamp to the next by at most this, or by three intervals.
 constexpr Nanoseconds kEarly = 20 * kMillisecond;
-/// Delays of samples by one clock differ by no more while that clock is recognised.
+/// Delays of suspects that are on one clock differ by at most this.
 constexpr Nanoseconds kAlike = 100 * kMillisecond;
 constexpr int kSuspects = 5;
 
@@ -41,7 +41,7 @@ SampleTime StreamClock::Resolve(Nanoseconds stamp, Nanoseconds arrival) {
       return Restart(stamp, arrival);
     }
     ++wrong_stamps_;
-    // A stamp that stands still says nothing of clocks.
+    // A stamp that stands still says nothing about the clocks.
     in_doubt_ = stamp != last_stamp_;
   }
   const bool by_stamp = fits && stamp > last_time_;
@@ -52,7 +52,7 @@ SampleTime StreamClock::Resolve(Nanoseconds stamp, Nanoseconds arrival) {
 }
 
 bool StreamClock::Fits(Nanoseconds stamp, Nanoseconds arrival) const {
-  // The first stamps after samples without one are of a clock that is not known yet.
+  // The clock of the first stamps after samples without stamps is not known yet.
   if (stamp == 0 || last_stamp_ == 0 || stamp <= last_stamp_) return false;
   const Nanoseconds early = std::max(kEarly, 3 * interval_);
   const Nanoseconds delay = arrival - stamp;
@@ -61,7 +61,7 @@ bool StreamClock::Fits(Nanoseconds stamp, Nanoseconds arrival) const {
 
 void StreamClock::TakeFitting(Nanoseconds stamp, Nanoseconds arrival) {
   const Nanoseconds interval = stamp - last_stamp_;
-  // A gap counts for little.
+  // A gap must not change the typical interval much.
   interval_ = interval_ == 0 ? interval : interval_ + (std::min(interval, 3 * interval_) - interval_) / 16;
   last_stamp_ = stamp;
   last_delay_ = arrival - stamp;
@@ -82,7 +82,7 @@ bool StreamClock::ClockWasSet(Nanoseconds stamp, Nanoseconds arrival) {
   run.last_stamp = stamp;
   run.least_delay = std::min(run.least_delay, delay);
   run.greatest_delay = std::max(run.greatest_delay, delay);
-  // Messages that overtook each other run together too, but all at once.
+  // Delayed messages also come in a row, but all at once.
   return run.count >= kSuspects && 2 * (arrival - run.first_arrival) >= stamp - run.first_stamp;
 }
 

@@ -39,10 +39,10 @@ void StreamMonitor::AddInterval(double interval) {
   lap_.duration += interval;
   lap_.longest_interval = std::max(lap_.longest_interval, interval);
   const double limit = kGapFactor * typical_interval_;
-  // The first few intervals say too little of what is typical.
+  // A few intervals do not tell the typical one.
   const std::int64_t known = before_.intervals + lap_.intervals;
   const bool gap = known >= 10 && interval > std::max(limit, kGapSeconds);
-  // A gap counts for little, but a rate that really changed becomes the typical one.
+  // The limit makes a single gap count little. A lasting change of rate still becomes the typical interval.
   const double change = (known >= 10 ? std::min(interval, limit) : interval) - typical_interval_;
   typical_interval_ += change / static_cast<double>(std::min<std::int64_t>(known + 1, 100));
   if (gap) {

@@ -11,12 +11,12 @@ namespace {
 constexpr double kFrozenSeconds = 1.0;
 constexpr double kRepeatedPart = 0.02;
 constexpr double kJitterPart = 0.5;
-/// [s] Greater offsets are no latency.
+/// [s] Greater offsets are not latency.
 constexpr double kOffset = 0.5;
 /// [s/s] Quartz clocks drift by less.
 constexpr double kDrift = 2e-4;
 
-/// Three digits, or all before the point: nobody reads 7.2e+03 s.
+/// Returns `value` with three digits, or as an integer from 1000 on instead of 7.2e+03.
 std::string Shown(double value) {
   std::ostringstream text;
   if (std::abs(value) >= 1000.0) {
@@ -37,7 +37,7 @@ std::string Text(const Parts&... parts) {
   return text.str();
 }
 
-/// Adds the intervals of `before`, with which rate and jitter go, to those of `joined`.
+/// Adds the intervals of `before`, and with them rate and jitter, to those of `joined`.
 void JoinIntervals(const StreamSummary& before, StreamSummary* joined) {
   if (before.rate == 0.0) return;
   const StreamSummary after = *joined;
@@ -54,7 +54,7 @@ void JoinIntervals(const StreamSummary& before, StreamSummary* joined) {
                              part * (1.0 - part) * difference * difference);
 }
 
-/// Widens the ranges of `joined` to those of `before`; takes them over where they are the `only` ones.
+/// Widens the ranges of `joined` to hold those of `before`. Replaces them if `before` has the `only` samples.
 void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
   joined->least_force = only ? before.least_force : std::min(before.least_force, joined->least_force);
   joined->greatest_force = std::max(before.greatest_force, joined->greatest_force);
@@ -64,7 +64,7 @@ void JoinForces(const StreamSummary& before, bool only, StreamSummary* joined) {
       only ? before.greatest_components : before.greatest_components.cwiseMax(joined->greatest_components).eval();
 }
 
-/// Adds a finding where something is wrong.
+/// Adds a finding if something is wrong.
 class Finder {
  public:
   explicit Finder(std::vector<Finding>* findings) : findings_(findings) {}
@@ -88,7 +88,7 @@ void FindClocks(const StreamSummary& summary, bool all_frozen, const Finder& fin
   find(summary.arrival_steps > 0,
        Text("this machine's clock was set, or the transport became slower, ", summary.arrival_steps, " times"),
        "let chrony slew the clock, not set it, while the cell works; triggers follow within a second");
-  // A frozen stamp ages: that says nothing of the clocks.
+  // The age of a frozen stamp says nothing about the clocks.
   find(!all_frozen && std::abs(summary.clock_offset) > kOffset,
        Text("stamps are ", std::abs(summary.clock_offset), summary.clock_offset > 0.0 ? " s behind" : " s ahead of",
             " the time of arrival"),
@@ -99,7 +99,7 @@ void FindClocks(const StreamSummary& summary, bool all_frozen, const Finder& fin
        "synchronise the clocks (chrony, PTP); triggers follow the drift");
 }
 
-/// What to say of episodes with each fault, and what to do.
+/// The text and the remedy of a finding about episodes with a fault.
 struct FaultText {
   EpisodeFault fault;
   const char* text;

@@ -10,7 +10,7 @@ namespace contact_shapelets::core {
 struct WrenchSample {
   Nanoseconds time = 0;      ///< on the clock of the wrench's stamps
   Eigen::Vector3d force;     ///< [N] in the sensor's frame
-  bool wrong_stamp = false;  ///< `time` is that of the arrival, since the stamp was wrong
+  bool wrong_stamp = false;  ///< the stamp was wrong, so `time` is that of the arrival
 };
 
 }  // namespace contact_shapelets::core

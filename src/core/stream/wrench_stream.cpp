@@ -13,23 +13,23 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Messages on different connections may come in another order than they arrived in, but by no more.
+/// Messages on different connections may be read in another order than they arrived, by at most this.
 constexpr Nanoseconds kReordered = 100'000'000;
-/// After the first sample the clocks' relation is not known well: it may be the last of a backlog.
+/// The relation of the clocks is not known well for this long: the first sample may be the last of a backlog.
 constexpr Nanoseconds kSettling = 250'000'000;
-/// Time to tell a transport that lags from a clock that was set.
+/// Within this time a transport that lags and a clock that was set become distinct.
 constexpr Nanoseconds kDoubt = 2'000'000'000;
-/// More edges without any wrench say nothing new.
+/// Greatest number of edges that wait for the first wrench.
 constexpr std::size_t kWaitingEdges = 1000;
 
-/// An edge as it arrived, before it has a place among the samples.
+/// An edge that has arrived, but has no place among the samples yet.
 struct WaitingEdge {
-  EpisodeEdge edge;  ///< without a time, but with its stamp in place of it
+  EpisodeEdge edge;  ///< `time` is the stamp; 0 for an edge without one
   std::string sender;
-  Nanoseconds now = 0;        ///< of its arrival, on the clock that never goes back
-  Nanoseconds last_time = 0;  ///< of the sample before it; 0 where there was none on the same clock
-  Nanoseconds before = 0;     ///< its place by what was known of the clocks before the next sample
-  std::int64_t settings = 0;  ///< of clocks before it
+  Nanoseconds now = 0;        ///< its arrival, on the clock that never goes back
+  Nanoseconds last_time = 0;  ///< time of the sample before it; 0 if there is none on the same clock
+  Nanoseconds before = 0;     ///< its place by the relation of the clocks when it arrived
+  std::int64_t settings = 0;  ///< how often a clock had been set when it arrived
   bool follows_jump = false;  ///< it arrived after time jumped back, but before a sample did
   bool sample_after = false;
 };
@@ -55,17 +55,17 @@ struct WrenchStream::Parts {
   EpisodeSegmenter segmenter;
   EdgeTrust trust;
   std::deque<WaitingEdge> waiting;
-  Nanoseconds now = 0;           ///< passes with arrivals, and never goes back
+  Nanoseconds now = 0;           ///< advances with arrivals, and never goes back
   Nanoseconds last_arrival = 0;  ///< of any message
-  Nanoseconds start = 0;         ///< by `now`, of the first sample of the stream, as it began or restarted
-  Nanoseconds start_time = 0;    ///< of that sample
+  Nanoseconds start = 0;         ///< `now` at the first sample since the stream began or restarted
+  Nanoseconds start_time = 0;    ///< time of that sample
   bool status_active = false;
   std::string publisher;
   std::string publisher_before;
   StreamSummary counts;  ///< of edges and publishers
 };
 
-/// Time passes by the differences of arrivals; a clock that was set back lets none pass.
+/// Advances `now` by the difference of arrivals, or not at all if this machine's clock was set back.
 Nanoseconds WrenchStream::Parts::TakeArrival(Nanoseconds arrival) {
   if (last_arrival == 0) now = arrival;
   const Nanoseconds passed = last_arrival == 0 ? 0 : arrival - last_arrival;
@@ -76,7 +76,7 @@ Nanoseconds WrenchStream::Parts::TakeArrival(Nanoseconds arrival) {
 }
 
 void WrenchStream::Parts::AdvanceTo(Nanoseconds to) {
-  // Each wait ends at its own time, however seldom this is called.
+  // Each wait ends at its own time, even if calls are rare.
   while (true) {
     const std::optional<Nanoseconds> place = PlaceDue();
     std::optional<Nanoseconds> due = segmenter.NextDue();
@@ -93,7 +93,7 @@ void WrenchStream::Parts::RunTo(Nanoseconds to) {
   segmenter.AdvanceTo(now);
 }
 
-/// When the first of the waiting edges gets its place, even if nothing arrives before.
+/// Returns when the first waiting edge gets its place, even if nothing arrives before.
 std::optional<Nanoseconds> WrenchStream::Parts::PlaceDue() const {
   if (waiting.empty() || !clock.has_started() || waiting.front().follows_jump) return std::nullopt;
   const Nanoseconds wait = clock.is_in_doubt() ? kDoubt : FromSeconds(options.edge_wait);
@@ -104,13 +104,14 @@ bool WrenchStream::Parts::CanPlace(Nanoseconds at) const {
   const std::optional<Nanoseconds> due = PlaceDue();
   if (!due) return false;
   const WaitingEdge& front = waiting.front();
-  // The place of a stamp hardly depends on the relation of the clocks, so that a backlog settles it as well.
+  // The place of a stamped edge hardly depends on the relation of the clocks. So samples of a backlog are enough.
   const bool settled = at >= start + kSettling ||
                        (front.edge.source == EdgeSource::kStamped && clock.last_time() - start_time >= kSettling);
   return at >= *due || (front.sample_after && !clock.is_in_doubt() && settled);
 }
 
-/// Where a clock was set between the edge and its placing, the edge is where it lies nearer to the sample before it.
+/// If a clock was set between the arrival of the edge and now, the relations before and after give two places. The one
+/// nearer to the sample before the edge is right.
 void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
   const WaitingEdge edge = std::move(waiting.front());
   waiting.pop_front();
@@ -120,7 +121,7 @@ void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
     time = edge.before;
   }
   const Nanoseconds earliest = time;
-  // Edges take as long as wrenches do: by the mean, half the jitter is the greatest error.
+  // Edges take as long as wrenches. With their mean delay, the greatest error is half the jitter.
   time -= clock.usual_delay();
   PlacedEdge placed{edge.edge, time, time, false, 0};
   if (edge.edge.source == EdgeSource::kStamped) {
@@ -142,7 +143,7 @@ void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
   segmenter.AddEdge(placed, at);
 }
 
-/// Edges from before the restart belong to the old stream, and so do closings of what was open then.
+/// Edges from before the restart belong to the old stream. So do closings of an episode that was open then.
 void WrenchStream::Parts::Restart(bool jumped_back) {
   while (!waiting.empty() && !waiting.front().follows_jump) {
     const EpisodeEdge& edge = waiting.front().edge;
@@ -196,7 +197,7 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
     parts.monitor.AddNotFinite();
     return false;
   }
-  // A driver without news from its sensor may send the last message again.
+  // A driver may repeat its last message while its sensor measures nothing new.
   if (parts.clock.IsLastStamp(stamp) && parts.monitor.IsLastForce(force)) {
     parts.monitor.AddRepeatedMessage(parts.clock.FromArrival(arrival));
     return false;
@@ -226,7 +227,7 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
 }
 
 void WrenchStream::AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id) {
-  parts_->AddEdge({open, 0, EdgeSource::kPlain, id}, "", arrival);
+  parts_->AddEdge({open, 0, EdgeSource::kUnstamped, id}, "", arrival);
 }
 
 void WrenchStream::AddCommand(bool open, Nanoseconds arrival) {
@@ -235,8 +236,8 @@ void WrenchStream::AddCommand(bool open, Nanoseconds arrival) {
 
 void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::string& id, Nanoseconds arrival,
                                   const std::string& sender) {
-  // A publisher that forgot the stamp is as good as one that has none.
-  const EdgeSource source = stamp == 0 ? EdgeSource::kPlain : EdgeSource::kStamped;
+  // An event without a stamp counts as unstamped.
+  const EdgeSource source = stamp == 0 ? EdgeSource::kUnstamped : EdgeSource::kStamped;
   parts_->AddEdge({open, stamp, source, id}, sender, arrival);
 }
 

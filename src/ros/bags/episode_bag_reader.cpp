@@ -79,12 +79,12 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
   }
   parts.wrench = FindWrench(path, topics, options.wrench_topic);
   parts.tare = AtMostOne(path, topics.Named(topics::kTare, "contact_shapelets/Tare"), "tare");
-  if (options.segmentation.segmentation == core::Segmentation::kTrigger) {
+  if (options.segmentation.segmentation == core::SegmentationMode::kTrigger) {
     parts.event =
         AtMostOne(path, topics.Named(topics::kEpisodeEvent, "contact_shapelets/EpisodeEvent"), "episode_event");
     parts.active = AtMostOne(path, topics.Named(topics::kEpisodeActive, "std_msgs/Bool"), "episode_active");
   }
-  if (options.segmentation.segmentation == core::Segmentation::kAction) {
+  if (options.segmentation.segmentation == core::SegmentationMode::kAction) {
     parts.status = AtMostOne(path, topics.OfType("actionlib_msgs/GoalStatusArray"), "action status");
   }
   return parts;
@@ -205,11 +205,11 @@ class Reading {
 
 std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
   switch (options.segmentation.segmentation) {
-    case core::Segmentation::kContact:
+    case core::SegmentationMode::kContact:
       return "no contact above contact_on was found in " + parts.wrench;
-    case core::Segmentation::kAction:
+    case core::SegmentationMode::kAction:
       return parts.status.empty() ? "it has no topic of type actionlib_msgs/GoalStatusArray" : "no goal was active";
-    case core::Segmentation::kTrigger:
+    case core::SegmentationMode::kTrigger:
       break;
   }
   if (!parts.episode.empty()) return parts.episode + " holds none of at least 2 samples";

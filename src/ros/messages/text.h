@@ -19,7 +19,7 @@ inline std::string OneLine(const std::string& text) {
 
 /// The whole path: a node's working directory is seldom that of the shell it was started from, so that a message has to
 /// say where a relative path led.
-inline std::string WholePath(const std::string& path) {
+inline std::string AbsolutePath(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
 }
 

@@ -54,7 +54,7 @@ void ClassifierNode::ReadParameters() {
   options_ = ReadClassifierOptions(&reader);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
-  options_.model = WholePath(options_.model);
+  options_.model = AbsolutePath(options_.model);
   if (parameter_faults_.empty()) return;
   ROS_ERROR("Parameters out of range have their defaults instead: %s", parameter_faults_.c_str());
   ClassifierOptions defaults;

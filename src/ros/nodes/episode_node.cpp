@@ -89,13 +89,13 @@ void EpisodeNode::Subscribe() {
   wrench_node_handle.setCallbackQueue(&wrench_queue_);
   wrench_subscriber_ =
       wrench_node_handle.subscribe(topics::kWrench, topics::kWrenchQueue, &EpisodeNode::OnWrench, this, no_delay);
-  if (options_.segmentation.segmentation == core::Segmentation::kTrigger) {
+  if (options_.segmentation.segmentation == core::SegmentationMode::kTrigger) {
     active_subscriber_ =
         node_handle_.subscribe(topics::kEpisodeActive, topics::kEdgeQueue, &EpisodeNode::OnActive, this, no_delay);
     event_subscriber_ =
         node_handle_.subscribe(topics::kEpisodeEvent, topics::kEdgeQueue, &EpisodeNode::OnEvent, this, no_delay);
   }
-  if (options_.segmentation.segmentation == core::Segmentation::kAction) {
+  if (options_.segmentation.segmentation == core::SegmentationMode::kAction) {
     status_subscriber_ =
         node_handle_.subscribe(topics::kActionStatus, topics::kEdgeQueue, &EpisodeNode::OnStatus, this, no_delay);
   }

@@ -55,7 +55,7 @@ void TrainerNode::ReadParameters() {
               parameter_faults_.c_str());
     SetState(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
   }
-  if (!model.empty()) PublishModelFile(WholePath(model));
+  if (!model.empty()) PublishModelFile(AbsolutePath(model));
 }
 
 void TrainerNode::PublishModelFile(const std::string& path) {
@@ -128,8 +128,8 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
     if (!progress(state)) throw core::Cancelled();
   };
   std::vector<std::string> bags;
-  for (const std::string& bag : task.bags) bags.push_back(WholePath(bag));
-  const std::string output = WholePath(task.output);
+  for (const std::string& bag : task.bags) bags.push_back(AbsolutePath(bag));
+  const std::string output = AbsolutePath(task.output);
   CheckModelOutput("output", output, bags);
   SetState(DiagnosticStatus::OK, "training");
   std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {

@@ -15,9 +15,9 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-const std::map<std::string, core::Segmentation> kSegmentations{{"trigger", core::Segmentation::kTrigger},
-                                                               {"contact", core::Segmentation::kContact},
-                                                               {"action", core::Segmentation::kAction}};
+const std::map<std::string, core::SegmentationMode> kSegmentations{{"trigger", core::SegmentationMode::kTrigger},
+                                                                   {"contact", core::SegmentationMode::kContact},
+                                                                   {"action", core::SegmentationMode::kAction}};
 const std::map<std::string, core::TareSource> kTareSources{{"episode_start", core::TareSource::kEpisodeStart},
                                                            {"free_air", core::TareSource::kFreeAir},
                                                            {"service", core::TareSource::kService}};

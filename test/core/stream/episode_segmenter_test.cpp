@@ -27,7 +27,9 @@ void Edge(EpisodeSegmenter* segmenter, bool open, EdgeSource source, double time
   segmenter->AddEdge(placed, Time(now));
 }
 
-void Plain(EpisodeSegmenter* segmenter, bool open, double now) { Edge(segmenter, open, EdgeSource::kPlain, now, now); }
+void Plain(EpisodeSegmenter* segmenter, bool open, double now) {
+  Edge(segmenter, open, EdgeSource::kUnstamped, now, now);
+}
 
 void Stamped(EpisodeSegmenter* segmenter, bool open, double time, double now, const char* id = "") {
   Edge(segmenter, open, EdgeSource::kStamped, time, now, id);
@@ -258,9 +260,10 @@ TEST(EpisodeSegmenter, IgnoresAStartWhileOpenAndAStopWithoutStart) {
 }
 
 TEST(EpisodeSegmenter, CommandsOpenAndCloseInEverySegmentation) {
-  for (const Segmentation segmentation : {Segmentation::kTrigger, Segmentation::kContact, Segmentation::kAction}) {
+  for (const SegmentationMode mode :
+       {SegmentationMode::kTrigger, SegmentationMode::kContact, SegmentationMode::kAction}) {
     SegmentationOptions options = Options();
-    options.segmentation = segmentation;
+    options.segmentation = mode;
     EpisodeSegmenter segmenter(options);
     const auto still = [](double) { return 1.0; };
     Feed(&segmenter, still, 0.0, 1.0);

@@ -78,8 +78,8 @@ TEST(SegmentationOptions, AcceptTheExtremesOfEveryParameterAndWorkThere) {
       SegmentationOptions options;
       options.*bound.value = value;
       ASSERT_EQ(options.Faults(), "") << bound.name << ' ' << value;
-      for (const Segmentation segmentation : {Segmentation::kTrigger, Segmentation::kContact}) {
-        options.segmentation = segmentation;
+      for (const SegmentationMode mode : {SegmentationMode::kTrigger, SegmentationMode::kContact}) {
+        options.segmentation = mode;
         Play(options);
       }
     }

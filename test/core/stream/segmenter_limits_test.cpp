@@ -16,7 +16,8 @@ SegmentationOptions Options(TareSource tare = TareSource::kService) {
 }
 
 void Plain(EpisodeSegmenter* segmenter, bool open, double now) {
-  segmenter->AddEdge({{open, Time(now), EdgeSource::kPlain, "", Time(now)}, Time(now), Time(now), false, 0}, Time(now));
+  segmenter->AddEdge({{open, Time(now), EdgeSource::kUnstamped, "", Time(now)}, Time(now), Time(now), false, 0},
+                     Time(now));
 }
 
 /// The only episode of `segmenter`.
@@ -255,7 +256,7 @@ TEST(EpisodeLimits, SamplesWithWrongStampsAmongOthersMakeTheEpisodeIncomplete) {
 
 SegmentationOptions ContactOptions() {
   SegmentationOptions options;
-  options.segmentation = Segmentation::kContact;
+  options.segmentation = SegmentationMode::kContact;
   return options;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using EpisodeBagTest = BagTest;
 
-BagReaderOptions Options(core::Segmentation segmentation = core::Segmentation::kTrigger) {
+BagReaderOptions Options(core::SegmentationMode segmentation = core::SegmentationMode::kTrigger) {
   BagReaderOptions options;
   options.segmentation.segmentation = segmentation;
   options.segmentation.tare = core::TareSource::kService;
@@ -129,7 +129,7 @@ TEST_F(EpisodeBagTest, CutsByContact) {
     BagWriter bag(Path("contact.bag"));
     for (int index = 0; index < 500; ++index) bag.Wrench(0.01 * index, index >= 200 && index < 300 ? 20.0 : 0.0);
   }
-  const BagContents contents = ReadEpisodes(Path("contact.bag"), Options(core::Segmentation::kContact));
+  const BagContents contents = ReadEpisodes(Path("contact.bag"), Options(core::SegmentationMode::kContact));
   ASSERT_EQ(contents.episodes.size(), 1U);
   EXPECT_EQ(ToTime(contents.episodes[0].start), At(1.5));
   EXPECT_EQ(contents.episodes[0].end_reason, core::EndReason::kContact);
@@ -148,7 +148,7 @@ TEST_F(EpisodeBagTest, CutsByTheStatusOfAnAction) {
       bag.Any("/push/status", 0.1 * index + 0.002, message);
     }
   }
-  const BagContents contents = ReadEpisodes(Path("action.bag"), Options(core::Segmentation::kAction));
+  const BagContents contents = ReadEpisodes(Path("action.bag"), Options(core::SegmentationMode::kAction));
   ASSERT_EQ(contents.episodes.size(), 1U);
   EXPECT_EQ(ToTime(contents.episodes[0].start), At(1.0));
   EXPECT_EQ(contents.episodes[0].force.size(), 100);
@@ -226,7 +226,7 @@ TEST_F(EpisodeBagTest, AnOutcomeWithinTheHoldOffBelongsToThatContact) {
     }
     for (int push = 0; push < 3; ++push) bag.Outcome(5.0 * push + 3.05, std::to_string(push));
   }
-  const BagContents contents = ReadEpisodes(Path("contact.bag"), Options(core::Segmentation::kContact));
+  const BagContents contents = ReadEpisodes(Path("contact.bag"), Options(core::SegmentationMode::kContact));
   ASSERT_EQ(contents.episodes.size(), 3U);
   for (std::size_t push = 0; push < 3; ++push) EXPECT_EQ(contents.episodes[push].outcome, std::to_string(push));
 }

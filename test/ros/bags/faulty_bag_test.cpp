@@ -115,9 +115,9 @@ TEST_F(FaultyBagTest, TriggersThatOpenNothing) {
 TEST_F(FaultyBagTest, NoContactAndNoAction) {
   BagWriter(Path("raw.bag")).Wrench(0.0, 1.0);
   BagReaderOptions options;
-  options.segmentation.segmentation = core::Segmentation::kContact;
+  options.segmentation.segmentation = core::SegmentationMode::kContact;
   ExpectWords(MessageFor("raw.bag", options), {Path("raw.bag"), "at least one episode", "contact_on", "/wrench"});
-  options.segmentation.segmentation = core::Segmentation::kAction;
+  options.segmentation.segmentation = core::SegmentationMode::kAction;
   ExpectWords(MessageFor("raw.bag", options),
               {Path("raw.bag"), "at least one episode", "actionlib_msgs/GoalStatusArray"});
 }
