@@ -36,7 +36,7 @@ Wrench ArmChain::WrenchAtTip(const Eigen::Ref<const Eigen::VectorXd>& positions,
       KDL::ChainFkSolverPos_recursive(chain_).JntToCart(joints, tip) < 0) {
     throw std::runtime_error("KDL could not solve the kinematics of the arm");
   }
-  // Expressed in the axes of the tip, about its origin.
+  // The wrench is in the axes of the tip, about its origin.
   jacobian.changeBase(tip.M.Inverse());
   const Eigen::Matrix<double, 6, 6> normal =
       jacobian.data * jacobian.data.transpose() + damping * damping * Eigen::Matrix<double, 6, 6>::Identity();

@@ -6,7 +6,8 @@
 #include <vector>
 
 /// \file
-/// The wrench at the tip of an arm from the external torques of its joints, for drivers that publish only these.
+/// Computes the wrench at the tip of an arm from the external torques of its joints, for drivers that publish no
+/// wrench.
 
 namespace contact_shapelets {
 
@@ -26,8 +27,8 @@ class ArmChain {
   /// Names of the joints that move, from base to tip.
   const std::vector<std::string>& joint_names() const { return joint_names_; }
 
-  /// The wrench W that the surroundings exert on the tip link at its origin, in its axes: the damped least squares
-  /// solution (J J^T + damping^2 I)^-1 J tau of J^T W = tau, where J is the geometric Jacobian of the tip.
+  /// Returns the wrench W that the surroundings exert on the tip link at its origin, in its axes: the damped least
+  /// squares solution (J J^T + damping^2 I)^-1 J tau of J^T W = tau, where J is the geometric Jacobian of the tip.
   /// `positions` [rad; m for a prismatic joint] and `torques` [Nm; N] have one value for each joint, in the order of
   /// joint_names(); `damping` is at least 0 and bounds the wrench near singular poses.
   Wrench WrenchAtTip(const Eigen::Ref<const Eigen::VectorXd>& positions,

@@ -12,10 +12,10 @@
 
 namespace contact_shapelets {
 
-/// Takes the messages of one topic apart, whatever their type: off the wire or out of a bag.
+/// Reads fields of the messages of one topic, live or from a bag, whatever their type.
 class MessageReader {
  public:
-  /// Makes `message` the one that is read: a topic_tools::ShapeShifter or a rosbag::MessageInstance.
+  /// Takes the message to read: a topic_tools::ShapeShifter or a rosbag::MessageInstance.
   /// \throws std::runtime_error if its definition lacks a type.
   template <typename Message>
   void Take(const Message& message) {
@@ -25,14 +25,15 @@ class MessageReader {
     message.write(stream);
   }
 
-  /// The numbers at a path of the message. \throws std::runtime_error as MessageDefinition::Numbers() does.
+  /// Returns the numbers at a path of the message. \throws std::runtime_error as MessageDefinition::Numbers() does.
   std::vector<double> Numbers(const std::string& path) const;
-  /// The list of strings in a field of the message; empty if it has no such field.
+  /// Returns the list of strings in a field of the message; an empty list if it has no such field.
   /// \throws std::runtime_error if the message ends early.
   std::vector<std::string> TextsIfAny(const std::string& field) const;
-  /// The header of the message; empty if it has none. \throws std::runtime_error if the message ends early.
+  /// Returns the header of the message; an empty header if it has none. \throws std::runtime_error if the message ends
+  /// early.
   std_msgs::Header Header() const;
-  /// The path of the first field of `type`; empty if there is none.
+  /// Returns the path of the first field of `type`; an empty string if there is none.
   std::string PathOf(const std::string& type) const { return definition_->PathOf(type); }
   /// The type of the message: "package/Type".
   const std::string& datatype() const { return datatype_; }

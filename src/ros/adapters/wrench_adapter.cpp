@@ -11,7 +11,7 @@
 namespace contact_shapelets {
 namespace {
 
-/// [s] Torques are made a wrench by joint positions that are at most as much older or newer.
+/// [s] Greatest difference in time between torques and the joint positions that go with them.
 constexpr double kPositionAge = 0.2;
 
 std::string Tenths(double seconds) {
@@ -26,7 +26,7 @@ std::string List(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Whether `names` are all of joints that the arm does not have, as those of a gripper that shares the arm's topic.
+/// Returns true if no name is that of a joint of the arm. A gripper may share the arm's topic.
 bool AreOfAnotherDevice(const ArmChain& arm, const std::vector<std::string>& names) {
   const std::vector<std::string>& joints = arm.joint_names();
   return !names.empty() && std::none_of(names.begin(), names.end(), [&joints](const std::string& name) {
@@ -34,7 +34,8 @@ bool AreOfAnotherDevice(const ArmChain& arm, const std::vector<std::string>& nam
   });
 }
 
-/// The values of the arm's joints in the arm's order. `names`: the joint of each value; empty: they are in that order.
+/// Returns the values of the arm's joints in the arm's order. `names` has the joint of each value; if it is empty, the
+/// values are in the arm's order already.
 Eigen::VectorXd InArmOrder(const ArmChain& arm, const std::vector<std::string>& names,
                            const std::vector<double>& values, const std::string& what) {
   const std::vector<std::string>& joints = arm.joint_names();

@@ -14,18 +14,17 @@
 
 namespace contact_shapelets {
 
-/// Makes a WrenchStamped of the messages of a driver that has none, off the wire or out of a bag. Messages are read by
-/// the definition that comes with them, so that no driver's package is needed. Torques become a wrench by joint
-/// positions that are at most 0.2 s older or newer, by the stamps if both have one, else by arrival: the last pose of
-/// an arm that has gone on moving would give a wrench that nothing exerts.
+/// Converts a driver's messages, live or from a bag, to WrenchStamped. It reads them by the definition that comes with
+/// them, so it needs no driver's package. Torques need joint positions that are at most 0.2 s older or newer, by the
+/// stamps if both have one, else by arrival. An older pose would give a wrong wrench if the arm has moved.
 class WrenchAdapter {
  public:
-  /// `urdf`: the text of the robot's description, read only for torques.
+  /// `urdf` is the text of the robot's description. Only torques need it.
   /// \throws std::runtime_error as ArmChain does.
   explicit WrenchAdapter(const WrenchAdapterOptions& options, const std::string& urdf = "");
 
-  /// Takes the joints' positions out of a message with a field `position`. If the message names its joints (`name`),
-  /// the positions go to the arm's joints by name, else by the arm's order. `arrival` is the time of receipt. `Message`
+  /// Takes the joints' positions from a message with a field `position`. If the message names its joints (`name`), the
+  /// names say which position is which joint's, else the arm's order does. `arrival` is the time of receipt. `Message`
   /// is a topic_tools::ShapeShifter or a rosbag::MessageInstance. \throws std::runtime_error if a joint of the arm is
   /// missing.
   template <typename Message>
@@ -34,9 +33,9 @@ class WrenchAdapter {
     ReadPositions(arrival);
   }
 
-  /// The wrench of a driver's message, with its stamp. Torques are in the arm's order from base to tip, or go by name
-  /// if the message names its joints. `arrival` is the time of receipt. \throws std::runtime_error if the message holds
-  /// no wrench, or no positions fit its torques.
+  /// Returns the wrench of a driver's message, with its stamp. If the message names its joints (`name`), the names say
+  /// which torque is which joint's, else the arm's order from base to tip does. `arrival` is the time of receipt.
+  /// \throws std::runtime_error if the message holds no wrench or no joint positions fit its torques.
   template <typename Message>
   geometry_msgs::WrenchStamped Convert(const Message& message, const ros::Time& arrival) {
     driver_.Take(message);
@@ -53,7 +52,7 @@ class WrenchAdapter {
   std::optional<ArmChain> arm_;
   MessageReader driver_;
   MessageReader joint_states_;
-  Eigen::VectorXd positions_;  ///< [rad] in the arm's order; empty before there were any
+  Eigen::VectorXd positions_;  ///< [rad] in the arm's order; empty before the first
   ros::Time positions_stamp_;  ///< zero if they have none
   ros::Time positions_arrival_;
 };

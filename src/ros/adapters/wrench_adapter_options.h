@@ -4,16 +4,16 @@
 
 namespace contact_shapelets {
 
-/// What a driver's messages hold, and where.
+/// What a driver's messages hold, and in which field.
 struct WrenchAdapterOptions {
   bool from_torques = false;  ///< the messages hold external torques of joints, not a wrench
-  std::string field;          ///< path of the numbers; empty: the first geometry_msgs/Wrench, or external_torques.data
-  std::string frame_id;       ///< of the wrench; empty: the message's, or tip_link for torques
-  double damping = 0.05;      ///< of the pseudo-inverse near singular poses, [0, 100]
-  std::string base_link;      ///< for torques: the link of the URDF that the arm stands on
-  std::string tip_link;       ///< for torques: the link of the URDF at which the wrench is given
+  std::string field;      ///< path of the numbers; if empty, the first geometry_msgs/Wrench, or external_torques.data
+  std::string frame_id;   ///< frame of the wrench; if empty, the message's, or tip_link for torques
+  double damping = 0.05;  ///< damping of the pseudo-inverse near singular poses, [0, 100]
+  std::string base_link;  ///< for torques: the first link of the arm in the URDF
+  std::string tip_link;   ///< for torques: the link in the URDF at which the wrench acts
 
-  /// Every option that is out of range, one line each; empty if all are valid.
+  /// Returns one line for each option that is out of range; an empty string if all are valid.
   std::string Faults() const;
 };
 

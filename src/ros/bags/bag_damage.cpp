@@ -30,7 +30,7 @@ BagDamage::BagDamage(const std::string& path) : path_(path) {
 
 BagDamage::~BagDamage() {
   log_.reset();
-  // An exception says of its own what is wrong with the bag.
+  // An exception reports the damage itself.
   if (first_.empty() || std::uncaught_exceptions() > 0) return;
   CONSOLE_BRIDGE_logError("%s: the bag is damaged, and a part was left out: %s", path_.c_str(),
                           OneLine(first_).c_str());

@@ -8,8 +8,8 @@
 
 namespace contact_shapelets {
 
-/// Takes the errors that rosbag's library logs, while this exists. Other messages go where they went before. The
-/// library's log is the process's, so that the one made last is the first to go.
+/// Takes the errors that rosbag's library logs, as long as this object lives. Other messages go where they went before.
+/// The process has one such log: destroy the newest object first.
 class BagLog : public console_bridge::OutputHandler {
  public:
   /// Calls `take` with each error.
@@ -26,13 +26,13 @@ class BagLog : public console_bridge::OutputHandler {
   console_bridge::OutputHandler* outer_;
 };
 
-/// Says in one line at the end what the library says of a damaged bag, message by message, while this exists. To be
-/// made before the bag is opened, which reads its index. Bags are read one at a time.
+/// Reports the damage of a bag in one line, where the library logs one for each message. Make it before you open the
+/// bag, because opening reads the index. Read one bag at a time.
 class BagDamage {
  public:
-  /// For the bag `path`.
+  /// Watches the reading of the bag `path`.
   explicit BagDamage(const std::string& path);
-  /// Logs one error with the path where the library left out a part and went on.
+  /// Logs one error with the path if the library left out a part of the bag.
   ~BagDamage();
   BagDamage(const BagDamage&) = delete;
   BagDamage& operator=(const BagDamage&) = delete;

@@ -29,7 +29,7 @@ void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expec
   try {
     bag->open(path, rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
-    throw std::runtime_error(but + "it has no index, since it was cut off while recording: run `rosbag reindex` on it");
+    throw std::runtime_error(but + "it has no index, because its recording was cut off: run `rosbag reindex` on it");
   } catch (const std::exception& error) {
     throw std::runtime_error(but + "it is cut off or damaged; `rosbag reindex` may save a part: " + error.what());
   }

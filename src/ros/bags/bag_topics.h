@@ -7,7 +7,7 @@
 #include <vector>
 
 /// \file
-/// Which topics a bag holds, and which of them play which part.
+/// The topics of a bag.
 
 namespace contact_shapelets {
 
@@ -15,17 +15,17 @@ namespace contact_shapelets {
 /// wrong with it.
 void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expected = "a bag");
 
-/// Topics of a bag by the type of their messages.
+/// The topics of a bag with the types of their messages.
 class BagTopics {
  public:
   /// Lists the topics of `bag`.
   explicit BagTopics(const rosbag::Bag& bag);
 
-  /// All topics with messages of `type`, such as "geometry_msgs/WrenchStamped", in alphabetical order.
+  /// Returns all topics with messages of `type`, such as "geometry_msgs/WrenchStamped", in alphabetical order.
   std::vector<std::string> OfType(const std::string& type) const;
-  /// The topics of `type` whose last part is `name` ("/robot/episode_active" for "episode_active").
+  /// Returns the topics of `type` that end in `name` ("/robot/episode_active" for "episode_active").
   std::vector<std::string> Named(const std::string& name, const std::string& type) const;
-  /// "none" or the topics with their types, in one line.
+  /// Returns the topics with their types in one line, or "none".
   std::string List() const;
 
  private:

@@ -26,7 +26,7 @@ namespace {
 
 constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
 
-/// The topics that a reading needs; empty names where the bag has none.
+/// The topics to read; a name is empty if the bag has no such topic.
 struct Parts {
   std::string wrench;
   std::string active;
@@ -90,7 +90,7 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
   return parts;
 }
 
-/// Takes the messages of one bag in the order of their arrival.
+/// Cuts one bag into episodes. Takes its messages in the order of arrival.
 class Reading {
  public:
   Reading(const Parts& parts, const BagReaderOptions& options) : parts_(parts), stream_(options.segmentation) {}
@@ -98,7 +98,7 @@ class Reading {
   void Take(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
     const core::Nanoseconds arrival = ToNanoseconds(message.getTime());
-    // Time passes between messages as it does in the node.
+    // The node lets time pass between messages too.
     stream_.AdvanceTo(arrival);
     if (topic == parts_.wrench) {
       if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
@@ -131,10 +131,10 @@ class Reading {
   }
 
  private:
-  /// An episode that closed, and what was said of it. Ids may repeat, and closed episodes may be dropped.
+  /// A closed episode and its outcome. Ids may repeat, and the segmentation may drop closed episodes.
   struct Closing {
     std::string id;
-    core::Nanoseconds arrival = 0;  ///< when it was over
+    core::Nanoseconds arrival = 0;  ///< when the episode was over
     std::string outcome;
   };
   struct Outcome {
@@ -169,7 +169,7 @@ class Reading {
     }
   }
 
-  /// An outcome belongs to the episode that was over last when it was said. A contact is over before its hold-off ends.
+  /// Gives each outcome to the last episode that was over before it. A contact is over before `contact_hold_off` ends.
   /// Episodes come in the order of their closings.
   void NameOutcomes() {
     for (const Outcome& outcome : outcomes_) {

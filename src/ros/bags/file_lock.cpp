@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenTrials(5);
 
-/// The descriptor of the locked file, or -1 where another holds the lock, or just gave it back.
+/// Returns the descriptor of the locked file, or -1 if another process holds the lock or just removed the file.
 int TryToLock(const std::string& path) {
   const int descriptor = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) throw std::runtime_error(path + " cannot be made: " + std::strerror(errno));
@@ -43,7 +43,7 @@ FileLock::FileLock(const std::string& path, double limit) : path_(path + ".lock"
 }
 
 FileLock::~FileLock() {
-  // Those that wait look whether the file is still there.
+  // Waiting processes check that the file is still there, so removing it is safe.
   unlink(path_.c_str());
   close(descriptor_);
 }

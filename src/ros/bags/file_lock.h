@@ -4,12 +4,12 @@
 
 namespace contact_shapelets {
 
-/// Keeps other processes, and other threads, from changing a file while this exists: those that ask for the same lock.
-/// It is a lock on a file beside it, with the ending ".lock", which is gone again behind the last of them.
+/// Holds a lock on a file as long as this object lives. Processes and threads that ask for the same lock wait. The lock
+/// is a file beside it with the ending ".lock". The last holder removes it.
 class FileLock {
  public:
-  /// Waits for the lock of `path`, at most `limit` [s]. \throws std::runtime_error naming the file of the lock where it
-  /// cannot be made, or another process held it for longer.
+  /// Waits for the lock of `path`, at most `limit` [s]. \throws std::runtime_error naming the lock file if it cannot be
+  /// made or if another process holds it for longer.
   explicit FileLock(const std::string& path, double limit = 10.0);
   ~FileLock();
   FileLock(const FileLock&) = delete;

@@ -18,21 +18,21 @@
 namespace contact_shapelets {
 namespace {
 
-/// \throws std::exception saying why not.
+/// \throws std::exception if the model is invalid or cannot be written.
 void Write(const std::string& path, const core::Model& model) {
   const std::string faults = model.Faults();
   if (!faults.empty()) throw std::invalid_argument("it could not be used: " + faults);
   OutputFile file(path);
   const ros::WallTime now = ros::WallTime::now();
   rosbag::Bag bag(file.unfinished(), rosbag::bagmode::Write);
-  // Compressed for its checksum: a damaged model is refused instead of being believed.
+  // Compression adds a checksum, so that LoadModel() refuses a damaged model.
   bag.setCompression(rosbag::compression::LZ4);
   bag.write(topics::kModel, ros::Time(now.sec, now.nsec), ToMessage(model));
   bag.close();
   file.Finish();
 }
 
-/// \throws std::runtime_error where the message says of an array that it is longer than the message.
+/// \throws std::runtime_error if the message states an array that is longer than the message.
 void CheckLengths(const rosbag::MessageInstance& instance) {
   std::vector<std::uint8_t> bytes(instance.size());
   ros::serialization::OStream stream(bytes.data(), instance.size());
@@ -46,7 +46,7 @@ void CheckLengths(const rosbag::MessageInstance& instance) {
 
 void SaveModel(const std::string& path, const core::Model& model) {
   try {
-    // Names are not put into the old model while it is replaced.
+    // The lock keeps NameClustersInFile() from writing the old model back.
     const FileLock lock(path);
     Write(path, model);
   } catch (const std::exception& error) {
@@ -77,7 +77,7 @@ core::Model NameClustersInFile(const std::string& path, const std::string& model
                                const std::map<int, std::string>& names) {
   const FileLock lock(path);
   core::Model model = LoadModel(path);
-  // A training may have put another model there, which these names do not fit.
+  // A training may have replaced the model. The names do not fit another one.
   if (model.id != model_id) {
     throw std::runtime_error(path + " holds another model, " + model.id + ", expected " + model_id);
   }

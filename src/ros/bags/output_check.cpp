@@ -15,7 +15,7 @@ namespace filesystem = std::filesystem;
 
 namespace {
 
-/// Whether both names are of one file, be it there or not.
+/// Returns true if both names mean the same file, whether it exists or not.
 bool AreOneFile(const std::string& first, const std::string& second) {
   if (first.empty() || second.empty()) return false;
   std::error_code error;
@@ -78,7 +78,7 @@ void CheckModelOutput(const std::string& what, const std::string& path, const st
   rosbag::Bag bag;
   OpenBag(path, &bag, "a new file or an older model");
   rosbag::View view(bag);
-  // A recording may hold models among its messages.
+  // A recording may also hold models.
   const bool model = view.size() == 1 && view.begin()->getDataType() == "contact_shapelets/ShapeletModel";
   if (!model) {
     Refuse(what, path, "expected a new file or an older model, but found another bag; choose another name");

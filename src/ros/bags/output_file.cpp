@@ -23,7 +23,7 @@ namespace {
 
 constexpr char kEnding[] = ".unfinished";
 
-/// What a signal has to remove. It is the process's, as signals are.
+/// The files that a signal removes. The process has one set, because signals are for the whole process.
 struct Unfinished {
   std::mutex mutex;
   std::set<std::string> paths;
@@ -37,7 +37,7 @@ Unfinished& TheUnfinished() {
 
 std::runtime_error SystemError() { return std::runtime_error(std::strerror(errno)); }
 
-/// Whether `descriptor` still is what `path` names.
+/// Returns true if `path` still names the file of `descriptor`.
 bool IsAt(const std::string& path, int descriptor) {
   struct stat by_path {};
   struct stat by_descriptor {};
@@ -45,7 +45,7 @@ bool IsAt(const std::string& path, int descriptor) {
          by_path.st_ino == by_descriptor.st_ino && by_path.st_dev == by_descriptor.st_dev;
 }
 
-/// The names of unfinished files of `path` that are there, finished or not, of any process.
+/// Returns the names of the unfinished files of `path`, of all processes.
 std::vector<std::string> UnfinishedOf(const std::string& path) {
   const filesystem::path folder = filesystem::path(path).parent_path();
   const std::string start = filesystem::path(path).filename().string() + kEnding;
@@ -60,7 +60,7 @@ std::vector<std::string> UnfinishedOf(const std::string& path) {
   return found;
 }
 
-/// Removes what processes left that do not live any more: nobody holds its lock.
+/// Removes the unfinished files of processes that have ended: nobody holds their locks.
 void RemoveLeftOvers(const std::string& path) {
   for (const std::string& name : UnfinishedOf(path)) {
     const int descriptor = open(name.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
@@ -70,7 +70,7 @@ void RemoveLeftOvers(const std::string& path) {
   }
 }
 
-/// Makes a new file, locks it, and returns its descriptor; `name` becomes the name.
+/// Makes a new file and locks it. Returns its descriptor and sets `name`.
 int MakeUnfinished(const std::string& path, std::string* name) {
   const std::string start = path + kEnding + std::to_string(getpid());
   for (int count = 0;; ++count) {
@@ -79,7 +79,7 @@ int MakeUnfinished(const std::string& path, std::string* name) {
     if (descriptor < 0 && errno != EEXIST) throw SystemError();
     if (descriptor < 0) continue;
     flock(descriptor, LOCK_EX);
-    // Before it was locked, another process may have taken it for left over.
+    // Before the lock, another process may have removed the file as a leftover.
     if (IsAt(*name, descriptor)) return descriptor;
     close(descriptor);
   }
@@ -102,10 +102,10 @@ sigset_t SetOf(const std::vector<int>& signals) {
   return set;
 }
 
-/// Removes what is unfinished, and ends the process as the signal would have.
+/// Removes the unfinished files and ends the process as the signal would have.
 void EndBy(int number) {
   Unfinished& unfinished = TheUnfinished();
-  // Never given back: nothing is to be made, or put in its place, any more.
+  // Keeps the lock for good, so that no thread makes or finishes another file.
   unfinished.mutex.lock();
   for (const std::string& path : unfinished.paths) unlink(path.c_str());
   std::signal(number, SIG_DFL);
@@ -130,7 +130,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
   const std::lock_guard<std::mutex> lock(unfinished.mutex);
   descriptor_ = MakeUnfinished(path_, &unfinished_);
   unfinished.paths.insert(unfinished_);
-  // A file system without permissions keeps its own.
+  // Some file systems have no permissions. Failing to set them is no fault.
   if (there && S_ISREG(old.st_mode)) static_cast<void>(fchmod(descriptor_, old.st_mode & 07777U));
 }
 

@@ -5,55 +5,56 @@
 #include <vector>
 
 /// \file
-/// Files that a long work ends in: checks before it begins, and the writing under another name until they are whole.
+/// Output files: checks before a long computation, and writing that never leaves a part of a file.
 
 namespace contact_shapelets {
 
-/// Checks that a file can be written at `path`. \throws std::runtime_error that begins with `what` and the path: its
-/// folder is missing or not writable, it is a folder itself, write-protected, one of the files that are `read`, or one
-/// of those that are `written`, too. Empty paths among these do not count.
+/// Checks that a file can be written at `path`. \throws std::runtime_error that begins with `what` and the path if its
+/// folder is missing or not writable, or if it is a folder, write-protected, or among the files in `read` or `written`.
+/// Ignores empty paths in these.
 void CheckOutput(const std::string& what, const std::string& path, const std::vector<std::string>& read,
                  const std::vector<std::string>& written = {});
 
-/// Likewise for a table or a page. \throws std::runtime_error as CheckOutput() does, and where a bag is there already.
+/// Checks the output for a table or a page. \throws std::runtime_error as CheckOutput() does, and if `path` is a bag.
 void CheckTextOutput(const std::string& what, const std::string& path, const std::vector<std::string>& read,
                      const std::vector<std::string>& written = {});
 
-/// Likewise for a bag, which cannot be written to a device or a pipe. \throws std::runtime_error as CheckOutput() does.
+/// Checks the output for a bag. \throws std::runtime_error as CheckOutput() does, and if `path` is a device or a pipe.
 void CheckBagOutput(const std::string& what, const std::string& path, const std::vector<std::string>& read,
                     const std::vector<std::string>& written = {});
 
-/// Checks that a model can be written at `path`, and that no recording would be lost to it. \throws std::runtime_error
-/// as CheckOutput() does, and where what is there already is no bag, or holds anything else than one model.
+/// Checks the output for a model, which must not replace a recording. \throws std::runtime_error as CheckBagOutput()
+/// does, and if `path` is a file that is not a bag with one model and nothing else.
 void CheckModelOutput(const std::string& what, const std::string& path, const std::vector<std::string>& read);
 
-/// A file that takes its place when it is whole. Until then it has a name of its own beside it, which begins with the
-/// file's and ".unfinished". A destructor, and with RemovalOnSignals a signal, leave nothing of it. What a killed
-/// process left is removed when the same file is written again: a lock tells it from what others are writing.
+/// A file that takes its place when it is whole. Until then it lies beside its place, under a name that begins with the
+/// file's name and ".unfinished". The destructor removes an unfinished file, and with RemovalOnSignals a signal does
+/// too. The next OutputFile at the same path removes what a killed process left. A lock marks files that another
+/// process still writes.
 class OutputFile {
  public:
-  /// Makes the unfinished file, with the permissions of what is at `path`. A device or a pipe is written directly; of a
-  /// symbolic link, what it leads to is replaced. \throws std::runtime_error saying why it cannot be made.
+  /// Makes the unfinished file, with the permissions of a file that is at `path` already. Writes a device or a pipe
+  /// directly. Replaces the target of a symbolic link. \throws std::runtime_error with the reason if it cannot be made.
   explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Where to write to.
+  /// Path of the unfinished file: write to it.
   const std::string& unfinished() const { return unfinished_; }
 
-  /// Waits until all is on the disk, then puts it in its place. Whatever was written there has to be closed.
-  /// \throws std::runtime_error saying why it cannot be; the old file is then as it was.
+  /// Waits until the disk has all data, then puts the file in its place. Close the unfinished file before.
+  /// \throws std::runtime_error with the reason if that fails. The old file then stays as it is.
   void Finish();
 
  private:
   std::string path_;
   std::string unfinished_;
-  int descriptor_ = -1;  ///< holds the lock; none where it is written directly
+  int descriptor_ = -1;  ///< holds the lock; -1 if the output is a device or a pipe
 };
 
-/// While this exists, SIGINT, SIGTERM and SIGHUP end the process as ever, but remove the unfinished files first. Those
-/// that are ignored stay ignored. To be made before any thread is.
+/// Makes SIGINT, SIGTERM and SIGHUP remove the unfinished files before they end the process, as long as this object
+/// lives. Ignored signals stay ignored. Make it before any thread.
 class RemovalOnSignals {
  public:
   RemovalOnSignals();

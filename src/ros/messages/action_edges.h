@@ -3,11 +3,11 @@
 #include <actionlib_msgs/GoalStatusArray.h>
 
 /// \file
-/// Episodes from the status of an action server.
+/// Edges of episodes from the status of an action server.
 
 namespace contact_shapelets {
 
-/// True while a goal is being worked on: active, or active and being cancelled.
+/// Returns true if the server works on a goal: the goal is active, or active and being cancelled.
 bool AnyGoalActive(const actionlib_msgs::GoalStatusArray& status);
 
 }  // namespace contact_shapelets

@@ -54,7 +54,7 @@ core::Episode FromMessage(const Episode& message) {
   if (!episode.force.allFinite()) {
     throw std::invalid_argument("episode " + episode.id + " holds a force that is not finite");
   }
-  // The tare may add as much again.
+  // The tare may double the greatest force.
   if ((episode.force.array().abs() > static_cast<float>(2.0 * core::kGreatestForce)).any()) {
     throw std::invalid_argument("episode " + episode.id + " holds a force above 2e6 N, which no sensor measures");
   }

@@ -17,39 +17,40 @@
 #include "contact_shapelets/core/model.h"
 
 /// \file
-/// Between messages and the core's types of the same meaning.
+/// Conversions between messages and the core's types.
 
 namespace contact_shapelets {
 
-/// Nanoseconds since the epoch.
+/// Returns nanoseconds since the epoch.
 core::Nanoseconds ToNanoseconds(const ros::Time& time);
-/// The time of `nanoseconds` since the epoch; negative ones become zero.
+/// Returns the time of `nanoseconds` since the epoch; zero if they are negative.
 ros::Time ToTime(core::Nanoseconds nanoseconds);
-/// The time on the machine's clock, simulated time or not.
+/// Returns the time of the machine's clock, even under simulated time.
 core::Nanoseconds WallNow();
-/// The vector in the unit of the message.
+/// Returns the vector in the unit of the message.
 Eigen::Vector3d ToVector(const geometry_msgs::Vector3& vector);
 
-/// \throws std::invalid_argument where the sample period is not in [0.0001, 1] s or a force is not finite or above 2e6
-/// N.
+/// Returns the episode of a message. \throws std::invalid_argument if the sample period is not in [0.0001, 1] s, or a
+/// force is not finite or above 2e6 N.
 core::Episode FromMessage(const Episode& message);
-/// The message of an episode.
+/// Returns the message of an episode.
 Episode ToMessage(const core::Episode& episode);
-/// The message of an edge.
+/// Returns the message of an edge.
 EpisodeEvent ToMessage(const core::EpisodeEdge& edge, const std::string& frame_id);
 
-/// The message of a tare [N] that was measured at `time`.
+/// Returns the message of a tare [N] that was measured at `time`.
 Tare TareMessage(const Eigen::Vector3d& force, core::Nanoseconds time, const std::string& frame_id);
 
-/// \throws std::invalid_argument where the message has another format version or its contents have faults, naming them.
+/// Returns the model of a message. \throws std::invalid_argument naming all faults if the message has another format
+/// version or an invalid model.
 core::Model FromMessage(const ShapeletModel& message);
-/// The message of a model, stamped with the time of its training.
+/// Returns the message of a model, stamped with the time of its training.
 ShapeletModel ToMessage(const core::Model& model);
 
-/// The features of an episode by a model.
+/// Returns the message of an episode's features.
 ShapeletFeatures FeaturesMessage(const core::Episode& episode, const core::Model& model,
                                  const core::ShapeletDistances& features);
-/// The diagnosis of an episode by a model; `final` is false while the episode is open.
+/// Returns the message of an episode's diagnosis; `final` is false while the episode is open.
 Diagnosis DiagnosisMessage(const core::Episode& episode, const core::Model& model, const core::Diagnosis& diagnosis,
                            bool final);
 

@@ -42,7 +42,7 @@ std::vector<std::string> Split(const std::string& path) {
 
 }  // namespace
 
-/// One pass over a message up to the end of the field that is looked for; where `path` is empty, over all of it.
+/// One pass over a message up to the end of the field at `path`, or over all of it if `path` is empty.
 class MessageDefinition::Walk {
  public:
   Walk(const MessageDefinition& definition, const std::string& path, const std::uint8_t* data, std::size_t size)
@@ -55,7 +55,7 @@ class MessageDefinition::Walk {
   std::vector<std::string> texts;
 
  private:
-  /// `depth`: names of the path that lead here; `on_path`: they all fit.
+  /// `depth` is the number of names that lead here. `on_path` is true if all of them match the path.
   void Message(const std::string& type, std::size_t depth, bool on_path) {
     for (const Field& field : definition_.fields_of_.at(type)) {
       if (found_) return;

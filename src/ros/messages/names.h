@@ -3,7 +3,7 @@
 #include <cstdint>
 
 /// \file
-/// Names that others rely on: topics (relative) with their queue sizes, services, actions, and parameters of the nodes.
+/// Names that users rely on: topics (relative) with their queue sizes, services, actions, and parameters of the nodes.
 
 namespace contact_shapelets {
 namespace topics {
@@ -20,11 +20,11 @@ constexpr char kModel[] = "model";
 constexpr char kFeatures[] = "features";
 constexpr char kDiagnosis[] = "diagnosis";
 constexpr char kEvent[] = "event";
-/// Of the wrench adapter: what the driver has in place of `wrench`.
+/// Inputs of the wrench adapter.
 constexpr char kDriverMessage[] = "driver_message";
 constexpr char kJointStates[] = "joint_states";
 
-/// Two seconds of a 1 kHz stream, so that a busy moment loses no sample.
+/// Two seconds of a 1 kHz stream, so that a short delay loses no sample.
 constexpr std::uint32_t kWrenchQueue = 2000;
 constexpr std::uint32_t kEdgeQueue = 100;
 constexpr std::uint32_t kResultQueue = 100;

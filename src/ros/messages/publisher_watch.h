@@ -7,18 +7,18 @@
 
 namespace contact_shapelets {
 
-/// Tells when another publisher begins to send, without a look at names for each message.
+/// Detects when another publisher begins to send, without comparing names for each message.
 class PublisherWatch {
  public:
-  /// The publisher's name if `header`, of the message's connection, is not that of the last message; else none. Empty
-  /// if the header does not say.
+  /// Takes the `header` of a message's connection. Returns the publisher's name if the header is not that of the last
+  /// message, else nothing. The name is empty if the header lacks it.
   std::optional<std::string> Next(const boost::shared_ptr<ros::M_string>& header) {
     if (header == last_) return std::nullopt;
     last_ = header;
     return NameOf(header);
   }
 
-  /// The publisher's name in the header of a connection; empty if it does not say.
+  /// Returns the publisher's name in the header of a connection; an empty string if the header lacks it.
   static std::string NameOf(const boost::shared_ptr<ros::M_string>& header) {
     if (!header) return "";
     const auto name = header->find("callerid");

@@ -6,10 +6,10 @@
 
 namespace contact_shapelets {
 
-/// Longer texts are no numbers: std::regex takes stack by the letter.
+/// Longer texts do not count as numbers, because std::regex needs stack for each character.
 constexpr std::size_t kLongestNumber = 100;
 
-/// The text without line breaks, for logs and diagnostics.
+/// Returns the text without line breaks, for logs and diagnostics.
 inline std::string OneLine(const std::string& text) {
   std::string line;
   for (const char letter : text) line += letter == '\n' ? std::string("; ") : std::string(1, letter);
@@ -17,8 +17,8 @@ inline std::string OneLine(const std::string& text) {
   return line;
 }
 
-/// The whole path: a node's working directory is seldom that of the shell it was started from, so that a message has to
-/// say where a relative path led.
+/// Returns the absolute path. Messages need it, because the working directory of a node is seldom that of the user's
+/// shell.
 inline std::string AbsolutePath(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string();
 }

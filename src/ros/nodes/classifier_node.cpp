@@ -56,7 +56,7 @@ void ClassifierNode::ReadParameters() {
   parameter_faults_ = OneLine(reader.Faults());
   options_.model = AbsolutePath(options_.model);
   if (parameter_faults_.empty()) return;
-  ROS_ERROR("Parameters out of range have their defaults instead: %s", parameter_faults_.c_str());
+  ROS_ERROR("Defaults replace these parameters, which are out of range: %s", parameter_faults_.c_str());
   ClassifierOptions defaults;
   defaults.model = options_.model;
   options_ = defaults;
@@ -66,7 +66,7 @@ void ClassifierNode::LoadModelFile() {
   if (options_.model.empty()) return;
   try {
     classifier_ = std::make_unique<core::Classifier>(LoadModel(options_.model));
-    ROS_INFO("Model %s out of %s", classifier_->model().id.c_str(), options_.model.c_str());
+    ROS_INFO("Loaded model %s from %s", classifier_->model().id.c_str(), options_.model.c_str());
   } catch (const std::exception& error) {
     model_fault_ = OneLine(error.what());
     ROS_ERROR("%s", model_fault_.c_str());
@@ -75,20 +75,20 @@ void ClassifierNode::LoadModelFile() {
 
 void ClassifierNode::OnModel(const ShapeletModel& message) {
   if (classifier_ && classifier_->model().id == message.model_id) return TakeNames(message);
-  // A trainer's latched model may be older than the file that was loaded since.
+  // A trainer's latched model may be older than the loaded file.
   if (classifier_ && ToNanoseconds(message.header.stamp) < classifier_->model().provenance.trained) {
     model_fault_ =
         "model " + message.model_id +
-        " by topic was refused: it was trained before the one in use; to go back to it, start this node with its file";
+        " from the topic was refused: it is older than the one in use; to use it, start this node with its file";
     ROS_WARN("%s", model_fault_.c_str());
     return;
   }
   try {
     classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
     model_fault_.clear();
-    ROS_INFO("Model %s by topic", message.model_id.c_str());
+    ROS_INFO("Took model %s from the topic", message.model_id.c_str());
   } catch (const std::exception& error) {
-    model_fault_ = "a model by topic was refused: " + OneLine(error.what());
+    model_fault_ = "a model from the topic was refused: " + OneLine(error.what());
     ROS_ERROR("%s", model_fault_.c_str());
   }
 }
@@ -97,7 +97,7 @@ void ClassifierNode::TakeNames(const ShapeletModel& message) {
   model_fault_.clear();
   const std::size_t count = std::min(message.cluster_labels.size(), classifier_->model().clusters.size());
   for (std::size_t index = 0; index < count; ++index) {
-    // The trainer's latched model lacks the names that were given here since.
+    // The trainer's latched model lacks the names that this node gave.
     const std::string& name = message.cluster_labels[index];
     const bool sound = !name.empty() && name.size() <= core::kLongestLabel;
     if (!sound || !classifier_->model().clusters[index].label.empty()) continue;
@@ -112,8 +112,8 @@ void ClassifierNode::OnEpisode(const Episode& message) {
 }
 
 void ClassifierNode::OnProgress(const Episode& message) {
-  // It travels on a connection of its own, and may arrive after the end of its episode.
-  // Sequencers may name all episodes alike, so that the name alone does not tell.
+  // Progress comes on another connection than episodes and may arrive after the end of its episode. The id alone does
+  // not identify the episode, because a sequencer may give all episodes the same.
   const bool over = message.episode_id == last_episode_ && ToNanoseconds(message.header.stamp) < last_end_;
   if (!classifier_ || over) return;
   const double duration = message.sample_period * static_cast<double>(message.force.size());
@@ -164,13 +164,13 @@ bool ClassifierNode::OnNameCluster(NameCluster::Request& request, NameCluster::R
 }
 
 std::string ClassifierNode::SaveName(int cluster, const std::string& label) {
-  if (options_.model.empty()) return "not saved: the model came by topic; give its file by ~model to save names";
+  if (options_.model.empty()) return "not saved: the model came from the topic; set ~model to its file to save names";
   const std::string& id = classifier_->model().id;
-  // A training may have put another model there, which this name does not fit.
+  // A training may have replaced the model. The name does not fit another one.
   const std::string in_file = LoadModel(options_.model).id;
   if (in_file != id) return "not saved: " + options_.model + " holds another model, " + in_file;
   const core::Model saved = NameClustersInFile(options_.model, id, {{cluster, label}});
-  // Others name clusters in the file, too.
+  // Other processes may have named clusters in the file too.
   for (std::size_t index = 0; index < saved.clusters.size(); ++index) {
     const std::string& name = saved.clusters[index].label;
     if (!name.empty()) classifier_->NameCluster(static_cast<int>(index), name);

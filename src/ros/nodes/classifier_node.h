@@ -14,12 +14,12 @@
 
 namespace contact_shapelets {
 
-/// Diagnoses the episodes of one robot by a model from a file or a topic. Its callbacks share state without a lock:
-/// they need a queue that one thread serves.
+/// Diagnoses the episodes of one robot by a model from a file or a topic. Only one thread may serve its callbacks,
+/// because they share state without a lock.
 class ClassifierNode {
  public:
-  /// Reads parameters from `private_node_handle` and loads the model. Where one of them is faulty, this is logged and
-  /// reported in /diagnostics; the node stays up and takes a model from the topic.
+  /// Reads parameters from `private_node_handle` and loads the model. Logs faults and reports them in /diagnostics. The
+  /// node then stays up and takes a model from the topic.
   ClassifierNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
  private:
@@ -38,12 +38,12 @@ class ClassifierNode {
   ros::NodeHandle private_node_handle_;
   ClassifierOptions options_;
   core::FeatureMemory feature_memory_;
-  std::unique_ptr<core::Classifier> classifier_;  ///< none until there is a model
-  std::string last_episode_;                      ///< id of the last one that ended
-  core::Nanoseconds last_end_ = 0;                ///< when it ended
+  std::unique_ptr<core::Classifier> classifier_;  ///< null until there is a model
+  std::string last_episode_;                      ///< id of the last episode that ended
+  core::Nanoseconds last_end_ = 0;                ///< when that episode ended
   std::string parameter_faults_;
-  std::string model_fault_;    ///< why there is no model, or why the last one was refused
-  std::string episode_fault_;  ///< why the last episode was refused; empty where it was not
+  std::string model_fault_;    ///< why there is no model, or why the node refused the last one
+  std::string episode_fault_;  ///< why the node refused the last episode; empty if it did not
   int diagnosed_ = 0;
   int refused_ = 0;
 

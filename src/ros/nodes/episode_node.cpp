@@ -16,18 +16,18 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-/// [s] Wrenches are taken in batches: a thread that wakes for each of them costs more than all else here.
+/// [s] Time between batches of wrenches. A thread that wakes for each wrench would cost more than all other work here.
 constexpr double kBatch = 0.004;
-/// Batches without a wrench after which none is taken to come: fewer may be a busy machine's backlog.
+/// After this many batches without a wrench the stream counts as silent. Fewer may be the backlog of a busy machine.
 constexpr int kIdleBatches = 8;
-/// Diagnostics judge what happened within as many seconds: a fault that is over does not stay in them for ever.
+/// [s] Diagnostics report the findings of this time, so that an old one does not stay for ever.
 constexpr std::size_t kRecent = 10;
-/// Private parameter that keeps the tare over a respawn [N].
+/// Private parameter that keeps the tare [N] over a respawn.
 constexpr char kTareParameter[] = "tare_offset";
 
 core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
 
-/// Simulated time is 0 until its first message, which may arrive after the first wrenches and edges.
+/// Simulated time is 0 until its first message. That may arrive after the first wrenches and edges.
 core::Nanoseconds NowOr(core::Nanoseconds otherwise) {
   const core::Nanoseconds now = Now();
   return now > 0 ? now : otherwise;
@@ -68,8 +68,7 @@ void EpisodeNode::ReadParameters() {
     stream_ = std::make_unique<core::WrenchStream>(options_.segmentation);
     if (!tare.empty()) tare_ = Eigen::Vector3d(tare[0], tare[1], tare[2]);
   } else {
-    ROS_ERROR("No episode is cut until these parameters are mended and the node is started again: %s",
-              parameter_faults_.c_str());
+    ROS_ERROR("This node cuts no episodes. Correct these parameters and start it again: %s", parameter_faults_.c_str());
   }
 }
 
@@ -125,11 +124,11 @@ void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped 
   }
   if (const auto publisher = publisher_.Next(event.getConnectionHeaderPtr())) stream_->SetPublisher(*publisher);
   const core::Nanoseconds stamp = ToNanoseconds(wrench.header.stamp);
-  // Not the time of now: all wrenches of a batch would have the same.
+  // All wrenches of a batch would have the same time if it were now.
   const core::Nanoseconds arrival = ArrivalOf(event.getReceiptTime(), stamp);
   if (!stream_->AddWrench(stamp, arrival, ToVector(wrench.wrench.force))) {
-    ROS_WARN_THROTTLE(
-        10.0, "Wrenches that are not finite, above 1e6 N or out of order are dropped; /diagnostics counts them");
+    ROS_WARN_THROTTLE(10.0,
+                      "Dropping wrenches that are not finite, above 1e6 N or out of order; /diagnostics counts them");
   }
   idle_batches_ = 0;
   last_wrench_ = ros::SteadyTime::now();

@@ -22,17 +22,16 @@
 
 namespace contact_shapelets {
 
-/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Its callbacks share
-/// state without a lock: Run() calls them all.
+/// Cuts the live wrench into episodes: topics, services and diagnostics around core::WrenchStream. Run() calls all
+/// callbacks in one thread, because they share state without a lock.
 class EpisodeNode {
  public:
-  /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. A
-  /// parameter that is out of range is logged and reported in /diagnostics; the node then stays up without cutting
-  /// episodes.
+  /// Reads parameters from `private_node_handle`, then sets up publishers, subscribers, services and timers. Logs
+  /// parameters that are out of range and reports them in /diagnostics. The node then stays up, but cuts no episodes.
   EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
-  /// Serves the global queue and the wrench until the node is shut down. Wrenches are taken every few milliseconds, and
-  /// before whatever opens or closes an episode.
+  /// Serves the global queue and the wrench until the node shuts down. Takes wrenches every few milliseconds, and
+  /// before each edge.
   void Run();
 
  private:
@@ -60,15 +59,15 @@ class EpisodeNode {
   ros::NodeHandle private_node_handle_;
   EpisodeOptions options_;
   std::string parameter_faults_;
-  std::unique_ptr<core::WrenchStream> stream_;  ///< none while parameters are wrong
+  std::unique_ptr<core::WrenchStream> stream_;  ///< null if parameters are out of range
   std::string frame_id_;
-  std::optional<Eigen::Vector3d> tare_;  ///< of the service
+  std::optional<Eigen::Vector3d> tare_;  ///< as the tare service measured it
   PublisherWatch publisher_;
   int published_episodes_ = 0;
-  int idle_batches_ = 0;  ///< since the last wrench, up to where time is let pass
+  int idle_batches_ = 0;  ///< consecutive batches without a wrench, until time passes without one
   ros::SteadyTime last_wrench_ = ros::SteadyTime::now();
   core::Nanoseconds last_arrival_ = 0;
-  std::deque<core::StreamSummary> laps_;  ///< from one diagnostics to the next
+  std::deque<core::StreamSummary> laps_;  ///< one for each interval between diagnostics
 
   ros::CallbackQueue wrench_queue_;
   ros::Publisher episode_publisher_;

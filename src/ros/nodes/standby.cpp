@@ -13,12 +13,12 @@
 namespace contact_shapelets {
 namespace {
 
-/// [s] for the answer of a busy node.
+/// [s] Longest wait for the answer of a busy node.
 constexpr double kPatience = 2.0;
 constexpr double kBetweenLooks = 0.5;
 constexpr double kBetweenSteps = 0.01;
 
-/// Where the master says that the node of this name is; empty where it knows of none.
+/// Returns the address of the node of this name by the master; an empty string if the master knows none.
 std::string RegisteredUri() {
   XmlRpc::XmlRpcValue question;
   question[0] = ros::this_node::getName();
@@ -30,7 +30,7 @@ std::string RegisteredUri() {
   return static_cast<std::string&>(uri);
 }
 
-/// Whether a node answers there: the master also knows of those that crashed.
+/// Returns true if a node answers at the address. The master also knows nodes that crashed.
 bool Answers(const std::string& uri) {
   std::string host;
   std::uint32_t port = 0;
@@ -58,7 +58,7 @@ void WaitForName() {
   bool said = false;
   for (std::string uri = RegisteredUri(); !uri.empty() && Answers(uri); uri = RegisteredUri()) {
     if (!said) {
-      ROS_WARN("%s runs already, at %s: this one takes over when that one ends", ros::this_node::getName().c_str(),
+      ROS_WARN("%s runs already at %s. This node takes over when that one ends", ros::this_node::getName().c_str(),
                uri.c_str());
       said = true;
     }

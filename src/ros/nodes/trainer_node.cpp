@@ -18,9 +18,9 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-/// Of the whole, in fractions of the progress: an estimate for bags of raw wrench.
+/// Part of the progress that reading takes: an estimate for bags of raw wrench.
 constexpr double kReadingPart = 0.1;
-/// A cell goes on while it trains: the driver, the episodes and the diagnoses need a core.
+/// Cores that a training leaves free for the driver, the episodes and the diagnoses.
 constexpr int kSpareThreads = 1;
 
 }  // namespace
@@ -51,8 +51,7 @@ void TrainerNode::ReadParameters() {
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {
-    ROS_ERROR("Nothing is trained until these parameters are mended and the node is started again: %s",
-              parameter_faults_.c_str());
+    ROS_ERROR("This node trains no model. Correct these parameters and start it again: %s", parameter_faults_.c_str());
     SetState(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
   }
   if (!model.empty()) PublishModelFile(AbsolutePath(model));
@@ -102,7 +101,7 @@ TrainResult TrainerNode::Train(const Task& task, const core::ProgressCallback& p
   result.rand_index = std::numeric_limits<float>::quiet_NaN();
   const std::unique_lock<std::mutex> training(training_mutex_, std::try_to_lock);
   if (!training.owns_lock()) {
-    result.message = "another training is under way";
+    result.message = "another training is running";
     return result;
   }
   try {

@@ -14,14 +14,14 @@
 
 namespace contact_shapelets {
 
-/// Trains models on recorded bags, on request by an action or once at the start, and publishes the newest one.
+/// Trains models on recorded bags, by an action or once at the start. Publishes the newest model.
 class TrainerNode {
  public:
-  /// Reads parameters from `private_node_handle` and publishes the model that ~model names. Faults are logged and
-  /// reported in /diagnostics; the node stays up and refuses goals while parameters are faulty.
+  /// Reads parameters from `private_node_handle` and publishes the model in the file ~model. Logs faults and reports
+  /// them in /diagnostics. If parameters are out of range, the node stays up and refuses goals.
   TrainerNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
-  /// Trains once where ~bags and ~output are given. Returns when that is done, failed, or ROS shuts down.
+  /// Trains once if ~bags and ~output are set. Returns when the training ends or ROS shuts down.
   void TrainAtStart();
 
  private:
@@ -52,7 +52,7 @@ class TrainerNode {
   std::string parameter_faults_;
 
   std::mutex training_mutex_;  ///< one training at a time
-  std::mutex state_mutex_;     ///< goals run in the action server's own thread
+  std::mutex state_mutex_;     ///< guards the state: goals run in the action server's own thread
   int state_level_ = 0;
   std::string state_text_ = "idle";
 

@@ -13,7 +13,7 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr char kRobotDescription[] = "robot_description";
-/// [s] A driver without a message for longer counts as gone.
+/// [s] A driver counts as gone after this time without a message.
 constexpr double kSilence = 1.0;
 
 std::string Silence(double seconds, const std::string& topic) {
@@ -43,7 +43,7 @@ void WrenchAdapterNode::ReadParameters() {
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (!parameter_faults_.empty()) {
-    ROS_ERROR("No wrench is published until these parameters are mended and the node is started again: %s",
+    ROS_ERROR("This node publishes no wrench. Correct these parameters and start it again: %s",
               parameter_faults_.c_str());
   }
 }
@@ -57,7 +57,8 @@ void WrenchAdapterNode::Start() {
     arm_fault_.clear();
   } catch (const std::exception& error) {
     arm_fault_ = error.what();
-    if (arm_fault_ != before) ROS_ERROR("No wrench is published until this is mended: %s", arm_fault_.c_str());
+    if (arm_fault_ != before)
+      ROS_ERROR("This node publishes no wrench until this is corrected: %s", arm_fault_.c_str());
     return;
   }
   const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();

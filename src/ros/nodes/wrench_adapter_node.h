@@ -11,22 +11,22 @@
 
 namespace contact_shapelets {
 
-/// Publishes `wrench` for drivers that have it in a message of their own, or only the external torques of the joints:
-/// WrenchAdapter between topics. For torques it needs the parameter `robot_description`, which it looks for in its own
-/// namespace and those above until it is set. Its callbacks need a queue that one thread serves.
+/// Publishes `wrench` for drivers that publish it in another type, or publish only the external torques of the joints.
+/// WrenchAdapter converts the messages. For torques the node needs the parameter `robot_description`: it searches its
+/// own namespace and those above until the parameter is set. Only one thread may serve its callbacks.
 class WrenchAdapterNode {
  public:
-  /// Reads parameters from `private_node_handle` and subscribes. A parameter that is out of range is logged and
-  /// reported in /diagnostics; the node then stays up without publishing.
+  /// Reads parameters from `private_node_handle` and subscribes. Logs parameters that are out of range and reports them
+  /// in /diagnostics. The node then stays up, but publishes no wrench.
   WrenchAdapterNode(const ros::NodeHandle& node_handle, const ros::NodeHandle& private_node_handle);
 
  private:
   using Message = topic_tools::ShapeShifter;
 
   void ReadParameters();
-  /// Makes the adapter and subscribes, if it can be made.
+  /// Makes the adapter and subscribes. Does nothing while the robot's description is missing or wrong.
   void Start();
-  /// Sets `urdf` to the robot's description. Returns whether there is a new one.
+  /// Sets `urdf` to the robot's description. Returns true if it is new.
   bool FindDescription(std::string* urdf);
   void OnDriver(const Message::ConstPtr& message);
   void OnJointStates(const Message::ConstPtr& message);
@@ -36,13 +36,13 @@ class WrenchAdapterNode {
   ros::NodeHandle private_node_handle_;
   WrenchAdapterOptions options_;
   std::unique_ptr<WrenchAdapter> adapter_;  ///< null while the robot's description is missing
-  std::string description_;                 ///< the last one that was tried
+  std::string description_;                 ///< the last one that the node tried
   std::string parameter_faults_;
   std::string arm_fault_;    ///< why there is no adapter; empty if there is one
   std::string fault_;        ///< why the last message gave no wrench; empty if it did
   std::string joint_fault_;  ///< why the last joint states gave no positions; empty if they did
   int published_ = 0;
-  ros::SteadyTime last_message_;  ///< zero before there was one
+  ros::SteadyTime last_message_;  ///< zero before the first
 
   ros::Publisher wrench_publisher_;
   ros::Subscriber driver_subscriber_;

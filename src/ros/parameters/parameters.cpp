@@ -27,7 +27,7 @@ const std::map<std::string, core::Objective> kObjectives{{"contrastive", core::O
 constexpr char kNumber[] = "a number";
 constexpr char kNumbers[] = "a list of numbers";
 
-/// How to write a number that rosparam takes for a text, such as 1e-2; empty for other texts.
+/// Returns the spelling that makes rosparam read a text such as 1e-2 as a number; an empty string for other texts.
 std::string SpellingOf(const std::string& text) {
   if (text.size() > kLongestNumber) return "";
   const std::regex number("([-+]?)([0-9]*)\\.?([0-9]*)([eE]([-+]?)([0-9]+))?");
@@ -43,7 +43,7 @@ std::string SpellingOf(const std::string& text) {
   return spelling == text ? "" : spelling;
 }
 
-/// Likewise for a value or the first such item of a list.
+/// Returns the same for a value, or for the first such item of a list.
 std::string SpellingOf(XmlRpcValue value) {
   if (value.getType() == XmlRpcValue::TypeString) return SpellingOf(static_cast<std::string&>(value));
   if (value.getType() != XmlRpcValue::TypeArray) return "";
@@ -265,7 +265,7 @@ WrenchAdapterOptions ReadAdapterOptions(ParameterReader* reader) {
 
 void LogParameters(const ParameterReader& reader) {
   for (const std::string& name : reader.Unread()) {
-    // The updater of diagnostics has parameters of its own.
+    // The diagnostic updater has its own parameters.
     if (name.rfind("diagnostic_", 0) != 0) ROS_WARN("~%s is not a parameter of this node", name.c_str());
   }
   for (const std::string& name : reader.Changed()) ROS_INFO("~%s is not at its default", name.c_str());

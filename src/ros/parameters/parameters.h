@@ -14,43 +14,43 @@
 #include "ros/adapters/wrench_adapter_options.h"
 
 /// \file
-/// Parameters from the parameter server or a YAML file into the plain structs of options, by the same code.
+/// Reads options from the parameter server or from YAML files, with the same code.
 
 namespace contact_shapelets {
 
-/// Reads named values out of a tree of parameters, and collects everything that is wrong with them.
+/// Reads named values from a tree of parameters and collects their faults.
 class ParameterReader {
  public:
-  /// Reads from `tree`, a struct (or invalid: no parameter is set).
+  /// Reads from `tree`, a struct; an invalid value means that no parameter is set.
   explicit ParameterReader(const XmlRpc::XmlRpcValue& tree);
   /// Reads from the namespace of `node_handle`.
   explicit ParameterReader(const ros::NodeHandle& node_handle);
-  /// Reads from YAML files, later ones winning. Values are of the types that rosparam would give them: 1e-2 is a text.
-  /// \throws std::runtime_error naming a file that cannot be read.
+  /// Reads from YAML files. Later files win. Values have the types that rosparam gives them: 1e-2 is a text.
+  /// \throws std::runtime_error naming the file if it cannot be read.
   static ParameterReader FromYaml(const std::vector<std::string>& paths);
 
-  /// Sets `value` where the parameter is set; notes a fault where it is of another type.
+  /// Sets `value` if the parameter is set. Adds a fault if it has another type.
   void Read(const std::string& name, double* value);
   void Read(const std::string& name, int* value);
   void Read(const std::string& name, bool* value);
   void Read(const std::string& name, std::string* value);
   void Read(const std::string& name, std::uint64_t* value);
   void Read(const std::string& name, std::vector<double>* value);
-  /// A list of strings, or one string with several separated by spaces.
+  /// Reads a list of strings, or one string with several separated by spaces.
   void Read(const std::string& name, std::vector<std::string>* value);
-  /// One of several words.
+  /// Reads one of several words.
   template <typename Choice>
   void Read(const std::string& name, const std::map<std::string, Choice>& choices, Choice* value);
 
-  /// Notes faults that a validator found.
+  /// Adds faults that a validator found.
   void AddFaults(const std::string& faults) { faults_ << faults; }
-  /// Every fault so far, one per line.
+  /// Returns all faults so far, one per line.
   std::string Faults() const { return faults_.str(); }
-  /// Names of parameters that are set, but that nothing read.
+  /// Returns the names of parameters that are set, but were not read.
   std::vector<std::string> Unread() const;
-  /// Names of parameters that were read, but are not set, so that their defaults count.
+  /// Returns the names of parameters that were read, but are not set: their defaults count.
   std::vector<std::string> Unset() const;
-  /// Names of parameters whose value, as read, differs from the default that it replaced.
+  /// Returns the names of parameters that were read and differ from their defaults.
   const std::set<std::string>& Changed() const { return changed_; }
 
  private:
@@ -66,35 +66,35 @@ class ParameterReader {
   std::ostringstream faults_;
 };
 
-/// What the episode node is told.
+/// Options of the episode node.
 struct EpisodeOptions {
   core::SegmentationOptions segmentation;
-  double progress_rate = 20.0;  ///< [Hz] of episode_progress, [0, 100]; 0: never
+  double progress_rate = 20.0;  ///< [Hz] rate of episode_progress, [0, 100]; 0: never
 };
 
-/// What the classifier node is told.
+/// Options of the classifier node.
 struct ClassifierOptions {
-  std::string model;            ///< path of a model file; empty: the model comes by topic
+  std::string model;            ///< path of a model file; if empty, the model comes from the topic
   bool early = true;            ///< publish early diagnoses of open episodes
   double early_minimum = 0.25;  ///< part of the typical duration before the first early diagnosis, [0, 1]
 
-  /// Every parameter that is out of range, one line each.
+  /// Returns one line for each parameter that is out of range; an empty string if all are valid.
   std::string Faults() const;
 };
 
-/// Parameters of the segmentation; faults are noted in `reader`.
+/// Reads the parameters of the segmentation. Adds faults to `reader`.
 core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader);
-/// Parameters of the episode node, the segmentation's included; faults are noted in `reader`.
+/// Reads the parameters of the episode node, with those of the segmentation. Adds faults to `reader`.
 EpisodeOptions ReadEpisodeOptions(ParameterReader* reader);
-/// Parameters of the trainer; faults are noted in `reader`.
+/// Reads the parameters of the trainer. Adds faults to `reader`.
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
-/// Parameters of the classifier node; faults are noted in `reader`.
+/// Reads the parameters of the classifier node. Adds faults to `reader`.
 ClassifierOptions ReadClassifierOptions(ParameterReader* reader);
 
-/// Parameters of the wrench adapter node; faults are noted in `reader`.
+/// Reads the parameters of the wrench adapter node. Adds faults to `reader`.
 WrenchAdapterOptions ReadAdapterOptions(ParameterReader* reader);
 
-/// Logs which parameters a node has that it does not know (as warnings) and which differ from their defaults.
+/// Logs a warning for each unknown parameter, and which parameters differ from their defaults.
 void LogParameters(const ParameterReader& reader);
 
 template <typename Value>

@@ -14,7 +14,7 @@
 namespace contact_shapelets {
 namespace {
 
-/// The rules of YAML 1.1, by which rosparam knows kinds of values; yaml-cpp goes by YAML 1.2.
+/// The rules of YAML 1.1, which rosparam follows. yaml-cpp follows YAML 1.2.
 bool IsBool(const std::string& text) {
   static const std::regex rule("yes|Yes|YES|no|No|NO|true|True|TRUE|false|False|FALSE|on|On|ON|off|Off|OFF");
   return std::regex_match(text, rule);
@@ -38,7 +38,7 @@ bool IsFloat(const std::string& text) {
   return std::regex_match(text, rule);
 }
 
-/// The magnitude of a number without sign and underscores; digits after colons count 60 times less.
+/// Returns the magnitude of a number without sign and underscores. Digits after a colon count 60 times less.
 double Magnitude(const std::string& digits) {
   if (digits == ".inf") return std::numeric_limits<double>::infinity();
   if (digits == ".nan") return std::numeric_limits<double>::quiet_NaN();
@@ -48,7 +48,7 @@ double Magnitude(const std::string& digits) {
   return value;
 }
 
-/// The magnitude of a whole number, likewise.
+/// Returns the magnitude of a whole number without sign and underscores.
 double WholeMagnitude(const std::string& digits) {
   const auto of_base = [&digits](std::size_t prefix, int base) {
     return static_cast<double>(std::strtoull(digits.c_str() + prefix, nullptr, base));
@@ -58,13 +58,13 @@ double WholeMagnitude(const std::string& digits) {
   return digits.front() == '0' ? of_base(0, 8) : Magnitude(digits);
 }
 
-/// False for what is quoted, said to be a text, or of a kind that only rosparam knows, such as !degrees.
+/// Returns false for a value that is quoted, tagged as a text, or of a type that only rosparam knows, such as !degrees.
 bool IsPlain(const std::string& tag) {
   const std::string standard = "tag:yaml.org,2002:";
   return tag.empty() || tag == "?" || (tag.rfind(standard, 0) == 0 && tag != standard + "str");
 }
 
-/// A scalar of the type that rosparam would give it; invalid where it has none, a text where rosparam would fail.
+/// Returns a scalar of the type that rosparam gives it. It is invalid if rosparam gives none, a text if rosparam fails.
 XmlRpc::XmlRpcValue ScalarOf(const YAML::Node& node) {
   if (!node.IsScalar()) return {};
   const std::string& text = node.Scalar();

@@ -171,7 +171,8 @@ TEST(Classifier, TakesNoModelByTopicThatIsOlderThanItsFile) {
   model.id = "older";
   model.provenance.trained = trained - 1'000'000'000;
   publisher.publish(ToMessage(model));
-  EXPECT_TRUE(diagnostics.WaitFor("aged/classifier_node", DiagnosticStatus::WARN, "model older by topic was refused"));
+  EXPECT_TRUE(
+      diagnostics.WaitFor("aged/classifier_node", DiagnosticStatus::WARN, "model older from the topic was refused"));
   Diagnosis diagnosis;
   ASSERT_TRUE(node.Diagnosed(AnEpisode(), &diagnosis));
   EXPECT_EQ(diagnosis.model_id, in_file);
