@@ -32,7 +32,7 @@ constexpr char kStatusType[] = "actionlib_msgs/GoalStatusArray";
 
 bool IsNamed(const std::string& topic, const char* name) { return FileName(topic) == name; }
 
-/// Whether messages of this topic mark, name or hold episodes.
+/// Returns true if messages of this topic mark, name or hold episodes.
 bool IsMarker(const std::string& topic, const std::string& type) {
   return type == "contact_shapelets/EpisodeEvent" || type == kEpisodeType || type == kStatusType ||
          type == kModelType || (type == "std_msgs/Bool" && IsNamed(topic, topics::kEpisodeActive)) ||
@@ -94,7 +94,7 @@ class MarkerFollower {
   std::map<std::string, int> counts_;
 };
 
-/// Reads a bag's messages once, and takes from it all but the episodes.
+/// Reads a bag's messages once. Collects everything but the episodes.
 class Reading {
  public:
   Reading(const rosbag::Bag& bag, const BagReaderOptions& options, BagInspection* inspection)
@@ -146,10 +146,9 @@ class Reading {
     }
     inspection_->others.push_back(topic);
     if (connection.msg_def.find("geometry_msgs/Wrench") != std::string::npos) {
-      inspection_->findings.push_back({core::Severity::kWarning,
-                                       topic.name + " holds a wrench, but within " + topic.type,
-                                       std::string("record the driver's ") + kWrenchType +
-                                           " topic, or republish it as one by wrench_adapter_node"});
+      inspection_->findings.push_back(
+          {core::Severity::kWarning, topic.name + " holds a wrench as part of " + topic.type,
+           std::string("record the driver's ") + kWrenchType + " topic, or convert this one by wrench_adapter_node"});
     }
   }
 
@@ -159,10 +158,10 @@ class Reading {
   std::map<std::string, MarkerFollower> markers_;
 };
 
-/// The episodes of the bag by the given way of cutting, or why there is none.
-EpisodesFound FindEpisodes(const std::string& path, const std::string& way, const BagReaderOptions& options) {
+/// Returns the episodes of the bag by the segmentation mode of `options`, or why there are none.
+EpisodesFound FindEpisodes(const std::string& path, const std::string& mode, const BagReaderOptions& options) {
   EpisodesFound found;
-  found.way = way;
+  found.mode = mode;
   try {
     BagContents contents = ReadEpisodes(path, options);
     found.episodes = std::move(contents.episodes);
@@ -192,9 +191,9 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
                      HasMarker(*inspection, "std_msgs/Bool", topics::kEpisodeActive);
   for (WrenchTopic& wrench : inspection->wrenches) {
     options.wrench_topic = wrench.name;
-    const auto find = [&](bool possible, const char* way, core::SegmentationMode segmentation, const char* reason) {
-      options.segmentation.segmentation = segmentation;
-      wrench.found.push_back(possible ? FindEpisodes(path, way, options) : EpisodesFound{way, {}, 0, {}, reason});
+    const auto find = [&](bool possible, const char* name, core::SegmentationMode mode, const char* reason) {
+      options.segmentation.segmentation = mode;
+      wrench.found.push_back(possible ? FindEpisodes(path, name, options) : EpisodesFound{name, {}, 0, {}, reason});
     };
     find(edges, "trigger", core::SegmentationMode::kTrigger,
          "no episode_active (std_msgs/Bool) or episode_event topic");
@@ -205,20 +204,20 @@ void FindAllEpisodes(const std::string& path, BagReaderOptions options, BagInspe
 }
 
 void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::vector<core::Finding>* findings) {
-  const std::string way = " (" + found.way + ")";
+  const std::string mode = " (" + found.mode + ")";
   const auto add = [&](std::size_t count, const char* what, const char* remedy) {
     if (count > 0)
-      findings->push_back({core::Severity::kWarning, where + Count(count, "episode") + what + way, remedy});
+      findings->push_back({core::Severity::kWarning, where + Count(count, "episode") + what + mode, remedy});
   };
   if (found.stream.samples == 0) {
     const auto incomplete = std::count_if(found.episodes.begin(), found.episodes.end(),
                                           [](const core::Episode& episode) { return !episode.complete; });
     add(static_cast<std::size_t>(incomplete), " incomplete",
-        "samples are missing within, or the recording ended first: leave the bag open longer");
-    add(static_cast<std::size_t>(found.dropped), " dropped", "without a series of at least two samples");
+        "samples are missing, or the recording ended too early: let it run until after the last episode");
+    add(static_cast<std::size_t>(found.dropped), " dropped", "an episode needs at least two samples");
   }
   for (const core::Finding& finding : core::EpisodeFindingsOf(found.stream)) {
-    findings->push_back({finding.severity, where + finding.text + way, finding.remedy});
+    findings->push_back({finding.severity, where + finding.text + mode, finding.remedy});
   }
 }
 
@@ -235,19 +234,18 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
                            "raise the driver's rate to 30 Hz or more, or sample_period"});
     }
     for (const EpisodesFound& found : wrench.found) {
-      if (found.way != "contact") JudgeEpisodes(wrench.name + ": ", found, findings);
+      if (found.mode != "contact") JudgeEpisodes(wrench.name + ": ", found, findings);
     }
   }
   if (inspection.wrenches.size() > 1) {
     findings->push_back({core::Severity::kWarning, "several topics of type " + std::string(kWrenchType),
-                         "choose one by --wrench-topic"});
+                         "choose one with --wrench-topic"});
   }
 }
 
 void Judge(const BagReaderOptions& options, BagInspection* inspection) {
   std::vector<core::Finding>& findings = inspection->findings;
-  if (inspection->messages == 0)
-    findings.push_back({core::Severity::kWarning, "the bag holds no message", "record again"});
+  if (inspection->messages == 0) findings.push_back({core::Severity::kWarning, "the bag is empty", "record again"});
   const bool model_file = HasMarker(*inspection, kModelType, nullptr) && inspection->wrenches.empty();
   if (model_file || inspection->messages == 0) return;
   JudgeWrenches(*inspection, options, &findings);
@@ -260,19 +258,20 @@ void Judge(const BagReaderOptions& options, BagInspection* inspection) {
     return;
   }
   const std::vector<EpisodesFound>& found = inspection->wrenches.front().found;
-  const auto has_episodes = [](const EpisodesFound& way) { return way.way != "contact" && !way.episodes.empty(); };
+  const auto has_episodes = [](const EpisodesFound& each) { return each.mode != "contact" && !each.episodes.empty(); };
   if (std::none_of(found.begin(), found.end(), has_episodes)) {
-    const bool contact = std::any_of(found.begin(), found.end(), [](const auto& way) { return !way.episodes.empty(); });
+    const bool contact =
+        std::any_of(found.begin(), found.end(), [](const auto& each) { return !each.episodes.empty(); });
     findings.push_back({core::Severity::kWarning, "no episode markers",
                         contact ? "record episode_active beside the wrench, or use --segmentation contact"
                                 : "record episode_active (std_msgs/Bool) beside the wrench"});
   } else if (!HasMarker(*inspection, "std_msgs/String", topics::kOutcome)) {
     findings.push_back({core::Severity::kWarning, "no outcome topic",
-                        "not needed to train; without it, clusters are named by hand and not scored"});
+                        "training does not need it; without it, name clusters by hand; they get no scores"});
   }
 }
 
-/// The model of a bag with one; a recording may hold several, of which none is the bag's own.
+/// Reads the model of a model file. A topic with several models belongs to a recording.
 void ReadModel(const std::string& path, BagInspection* inspection) {
   const auto is_model = [](const OtherTopic& topic) { return topic.type == kModelType && topic.messages == 1; };
   if (std::none_of(inspection->markers.begin(), inspection->markers.end(), is_model)) return;

@@ -30,7 +30,7 @@ struct Arguments {
   std::string annotate;
 };
 
-/// Adds what the nodes would have published for an episode, at its end.
+/// Adds the messages that the nodes would publish at the end of an episode.
 void WriteResult(const core::Episode& episode, const core::Classification& result, const core::Model& model,
                  rosbag::Bag* output) {
   const ros::Time end = ToTime(episode.start) + ros::Duration(episode.duration());
@@ -120,7 +120,7 @@ Command ClassifyCommand() {
   namespace po = boost::program_options;
   Command command;
   command.name = "classify";
-  command.description = "Diagnoses the episodes of bags by a model";
+  command.description = "Diagnoses the episodes of bags with a model";
   command.usage = "BAG... --model MODEL.bag";
   const auto arguments = std::make_shared<Arguments>();
   AddBagArguments(&command, &arguments->bags);

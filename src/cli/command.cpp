@@ -12,7 +12,7 @@ namespace po = boost::program_options;
 
 namespace {
 
-/// \throws UsageError where a place, which has no name on the command line, was given by one.
+/// \throws UsageError if a positional argument was given by a name.
 void RefuseNamedPlaces(const Command& command, const po::parsed_options& parsed) {
   for (const po::option& option : parsed.options) {
     const bool by_name = option.position_key < 0;
@@ -26,7 +26,7 @@ void RefuseNamedPlaces(const Command& command, const po::parsed_options& parsed)
 
 int RunCommand(const Command& command, const std::vector<std::string>& arguments) {
   po::options_description shown = command.options;
-  shown.add_options()("help,h", "Prints this");
+  shown.add_options()("help,h", "Prints this help");
   po::options_description all;
   all.add(shown).add(command.places);
   po::variables_map values;
@@ -35,7 +35,7 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
         po::command_line_parser(arguments)
             .options(all)
             .positional(command.positional)
-            // Whole names alone: an abbreviation in somebody's script would break with the next option.
+            // Only whole names: a new option could break an abbreviation in a user's script.
             .style(po::command_line_style::default_style & ~po::command_line_style::allow_guessing)
             .run();
     RefuseNamedPlaces(command, parsed);
@@ -58,10 +58,10 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
 
 std::vector<std::string> SplitAtCommas(const std::string& option, const std::string& text) {
   std::vector<std::string> names;
-  // A comma at the end, too, has a name behind it that is empty.
+  // An empty name also follows a comma at the end.
   std::istringstream stream(text + ',');
   for (std::string name; std::getline(stream, name, ',');) {
-    if (name.empty()) throw UsageError(option + " must be names with commas between them, but is \"" + text + '"');
+    if (name.empty()) throw UsageError(option + " must be names separated by commas, but is \"" + text + '"');
     names.push_back(name);
   }
   return names;

@@ -30,14 +30,14 @@ void AddBags(Command* command, std::vector<std::string>* bags) {
 
 void AddReaderOptions(Command* command, BagArguments* arguments) {
   command->options.add_options()("wrench-topic", po::value(&arguments->wrench_topic),
-                                 "The wrench, where it is not the only WrenchStamped");
+                                 "The topic of the wrench, if a bag has several");
   command->options.add_options()(
       "segmentation",
       po::value(&arguments->segmentation)->notifier(OneOf("--segmentation", {"trigger", "contact", "action"})),
       "What opens and closes an episode: trigger, contact or action");
   command->options.add_options()(
       "config", po::value(&arguments->configs),
-      "A YAML file with parameters, such as config/trainer.yaml; may be given several times");
+      "A YAML file with parameters, such as config/trainer.yaml; give it once for each file");
 }
 
 void AddBagArguments(Command* command, BagArguments* arguments) {
@@ -51,7 +51,7 @@ Options ReadOptions(const BagArguments& arguments) {
   options.reader.segmentation = ReadSegmentationOptions(&reader);
   options.trainer = ReadTrainerOptions(&reader);
   reader.Read(parameters::kWrenchTopic, &options.reader.wrench_topic);
-  // The nodes' files serve here as well, so that what belongs to a node alone is no fault.
+  // Users give the nodes' files here too. So a parameter that only a node has is no fault.
   ReadClassifierOptions(&reader);
   double progress_rate = 0.0;
   std::vector<std::string> bags;
@@ -115,7 +115,7 @@ void ProgressLine::Clear() {
 
 void ProgressLine::Show(double done) {
   const auto now = std::chrono::steady_clock::now();
-  // A log gets its first line soon, and few.
+  // A log file gets its first line soon, but few lines.
   const auto between = std::chrono::milliseconds(terminal_ ? 200 : shown_ ? 5000 : 1000);
   if (now - last_shown_ < between || done <= 0.0) return;
   last_shown_ = now;

@@ -11,7 +11,7 @@
 
 namespace contact_shapelets::cli {
 
-/// What the commands share: bags, how to cut them, parameter files.
+/// Arguments that the commands share: bags, their segmentation, parameter files.
 struct BagArguments {
   std::vector<std::string> bags;
   std::string wrench_topic;
@@ -19,41 +19,42 @@ struct BagArguments {
   std::vector<std::string> configs;
 };
 
-/// All files that a command with these reads: bags and parameter files.
+/// Returns all files that a command with these arguments reads: bags and parameter files.
 std::vector<std::string> FilesRead(const BagArguments& arguments);
 
-/// Adds the bags, as many as are given, to the places of a command.
+/// Adds any number of bags to the positional arguments of a command.
 void AddBags(Command* command, std::vector<std::string>* bags);
 
-/// Adds the bags and the options on how to cut them to a command. `arguments` has to outlive it.
+/// Adds bags and the options of the reader to a command. `arguments` must outlive it.
 void AddBagArguments(Command* command, BagArguments* arguments);
 
-/// Adds those options alone.
+/// Adds only the options of the reader.
 void AddReaderOptions(Command* command, BagArguments* arguments);
 
-/// Options of the reader and the trainer out of the arguments and their parameter files.
+/// Options of the reader and the trainer.
 struct Options {
   BagReaderOptions reader;
   core::TrainerOptions trainer;
 };
 
-/// \throws std::runtime_error listing every parameter that is wrong or unknown.
+/// Returns the options by the arguments and their parameter files. \throws std::runtime_error listing every parameter
+/// that is out of range or unknown.
 Options ReadOptions(const BagArguments& arguments);
 
-/// Reads the episodes of all bags, with progress on stderr; says on stdout what is wrong with a bag's wrench.
+/// Reads the episodes of all bags. Prints progress to stderr and findings about the wrench to stdout.
 /// \throws std::runtime_error in one line that names the bag, see ReadEpisodes().
 std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options);
 
-/// One line on stderr that is overwritten: what is going on, how far it is, the time to go.
+/// A line on stderr with the progress and the time to go. On a terminal it overwrites itself.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string what);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  /// Shows that the part `done` in [0, 1] is done.
+  /// Shows the part that is done, in [0, 1].
   void Show(double done);
-  /// Takes the line away from a terminal.
+  /// Removes the line from a terminal.
   void Clear();
 
  private:
@@ -64,8 +65,8 @@ class ProgressLine {
   bool shown_ = false;
 };
 
-/// How `labels` agree with the outcomes of those episodes that have one; prints a line to stdout, nothing
-/// where none has.
+/// Prints to stdout how well `labels` agree with the outcomes. Ignores episodes without an outcome, and prints nothing
+/// if no episode has one.
 void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels);
 
 }  // namespace contact_shapelets::cli

@@ -15,7 +15,7 @@ std::string Quoted(const std::string& text) {
   return quoted + "\"";
 }
 
-/// All nine decimals, which a double at today's date has not.
+/// Returns a time with all nine decimals. A double at today's date has fewer.
 std::string ExactSeconds(core::Nanoseconds time) {
   const std::string decimals = std::to_string(time % 1'000'000'000);
   return std::to_string(time / 1'000'000'000) + "." + std::string(9 - decimals.size(), '0') + decimals;

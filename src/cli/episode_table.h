@@ -11,17 +11,17 @@
 
 namespace contact_shapelets::cli {
 
-/// Classifies `episodes` on `threads` threads (0: all of the machine). \throws std::invalid_argument naming
-/// an episode that cannot be classified.
+/// Classifies `episodes` on `threads` threads (0: one per core). \throws std::invalid_argument naming an episode that
+/// cannot be classified.
 std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier,
                                               const std::vector<core::Episode>& episodes, int threads);
 
-/// The nearest cluster of each result, novel or not: the partition that is scored.
+/// Returns the nearest cluster of each result, novel or not. Scores compare this partition with the outcomes.
 Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results);
 
 /// Writes to `file` one line per episode: episode_id, start [s], duration [s], samples, outcome, cluster, event,
-/// confidence, novelty, then the distance to every shapelet, d0 to dK-1. Texts with commas, quotes or line
-/// breaks are quoted (RFC 4180).
+/// confidence, novelty, then the distance to every shapelet, d0 to dK-1. Quotes texts with commas, quotes or line
+/// breaks (RFC 4180).
 void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
               std::ostream* file);
 

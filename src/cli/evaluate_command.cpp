@@ -36,7 +36,7 @@ struct Arguments {
   std::string json;
 };
 
-/// Faults that were met; each is said at once, so that a long run does not end in a surprise.
+/// Prints each fault at once, because a run may be long.
 class Faults {
  public:
   void Add(const std::string& fault) {
@@ -51,7 +51,7 @@ class Faults {
   bool any_ = false;
 };
 
-/// The episodes that have an outcome; `numbers` numbers the outcomes.
+/// Returns the episodes that have an outcome. `numbers` holds the class of each outcome.
 evaluation::LabelledSeries ReadLabelledBags(const std::vector<std::string>& paths, const BagReaderOptions& options,
                                             std::map<std::string, int>* numbers) {
   evaluation::LabelledSeries labelled;
@@ -119,7 +119,7 @@ struct Task {
   const evaluation::DataSet* data_set;
   std::string method;
   std::uint64_t seed;
-  double size;  ///< samples to look at, for the progress and so that long tasks start first
+  double size;  ///< number of samples, for the progress and for starting long tasks first
 };
 
 std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<evaluation::DataSet>& data_sets) {
@@ -138,7 +138,7 @@ std::vector<Task> MakeTasks(const Arguments& arguments, const std::vector<evalua
   return tasks;
 }
 
-/// Results in the order of `tasks`, those that failed left out.
+/// Returns the results in the order of `tasks`, without those that failed.
 std::vector<evaluation::EvaluationResult> RunTasks(const std::vector<Task>& tasks, const core::TrainerOptions& trainer,
                                                    int jobs, Faults* faults) {
   std::vector<std::size_t> order(tasks.size());
@@ -172,7 +172,7 @@ std::vector<evaluation::EvaluationResult> RunTasks(const std::vector<Task>& task
   return results;
 }
 
-/// `names` as they are. \throws UsageError for one that no method has.
+/// Returns `names`. \throws UsageError if a name is not that of a method.
 std::vector<std::string> CheckedMethods(const std::vector<std::string>& names) {
   const core::TrainerOptions defaults;
   for (const std::string& name : names) {
@@ -191,7 +191,7 @@ std::vector<std::string> FilesRead(const Arguments& arguments) {
   return files;
 }
 
-/// The exit status: 1 where results are missing for faults that were said.
+/// Returns the exit status: 1 if faults left out results.
 int RunEvaluation(const Arguments& arguments) {
   if (arguments.data.empty() && arguments.bags.bags.empty()) {
     throw UsageError("evaluate: expected --data or --bags, found neither");
@@ -228,22 +228,22 @@ Command EvaluateCommand() {
   add("datasets", po::value<std::string>()->notifier([arguments](const std::string& names) {
     arguments->data_sets = SplitAtCommas("--datasets", names);
   }),
-      "Names with commas between them, or all (default)");
+      "Names separated by commas, or all (default)");
   add("methods", po::value<std::string>()->notifier([arguments](const std::string& names) {
     arguments->methods = CheckedMethods(SplitAtCommas("--methods", names));
   }),
-      "Names with commas between them (default: every one)");
+      "Names separated by commas (default: all)");
   add("bags", po::value(&arguments->bags.bags)->multitoken(),
-      "Recorded bags as one more data set, with their outcomes as classes");
+      "Recorded bags as a data set, with their outcomes as classes");
   add("test-bags", po::value(&arguments->test_bags)->multitoken(),
       "Bags to test on (default: half of each outcome's episodes of --bags)");
-  add("bags-name", po::value(&arguments->bags_name), "The bags' name in the table (default: of the first file)");
+  add("bags-name", po::value(&arguments->bags_name), "Name of the bags in the table (default: name of the first file)");
   AddReaderOptions(&command, &arguments->bags);
   add("seeds", po::value(&arguments->seeds)->notifier(InRange("--seeds", 1, 10000)),
       "Runs per data set and method, with the seeds 0, 1, ... (default 5)");
   add("jobs", po::value(&arguments->jobs)->notifier(InRange("--jobs", 0, 1024)),
       "Runs at the same time (default: one per core); results stay the same");
-  add("json", po::value(&arguments->json), "Also writes every run's scores into this file");
+  add("json", po::value(&arguments->json), "Writes the scores of every run to this file too");
   command.run = [arguments] { return RunEvaluation(*arguments); };
   return command;
 }

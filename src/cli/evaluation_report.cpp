@@ -15,7 +15,7 @@ namespace {
 
 using Score = std::function<double(const evaluation::EvaluationResult&)>;
 
-/// A score over the seeds of one data set and method.
+/// Statistics of a score over the seeds of one data set and method.
 struct Summary {
   int seeds = 0;
   double mean = 0.0;
@@ -55,7 +55,7 @@ void WriteAverages(const std::vector<std::string>& data_sets, const std::vector<
       ++count;
     }
     char text[32] = "";
-    // Averages over different data sets do not compare.
+    // Averages over different data sets cannot be compared.
     const bool all = count == static_cast<int>(data_sets.size());
     if (all) std::snprintf(text, sizeof(text), " %.3f", sum / count);
     *stream << text << " |";

@@ -8,10 +8,10 @@
 
 namespace contact_shapelets::cli {
 
-/// Writes `results` as Markdown tables, one for each of train, test by nearest centroid, test clustered anew, and the
-/// better mean of the last two: a row per data set and one of averages (blank where a data set is missing), a column
-/// per method; a cell is the Rand index's mean ± standard deviation over seeds, then the best. Data sets and methods
-/// are in the order given.
+/// Writes `results` as Markdown tables: train, test by nearest centroid, test clustered anew, and the better mean of
+/// the last two. Each table has a row per data set, a row of averages (blank if a data set is missing) and a column per
+/// method. A cell has the mean ± standard deviation of the Rand index over seeds, then the best. Data sets and methods
+/// keep their order.
 void WriteMarkdown(const std::vector<evaluation::EvaluationResult>& results, const std::vector<std::string>& data_sets,
                    const std::vector<std::string>& methods, std::ostream* stream);
 

@@ -19,7 +19,7 @@ void Line(const std::string& label, const std::string& text) {
   std::cout << "    " << Padded(label, kLabelWidth) << text << '\n';
 }
 
-/// In seconds, or below one in milliseconds.
+/// Returns a time in seconds, or in milliseconds below 1 s.
 std::string ShortTime(double seconds) {
   return seconds < 1.0 ? Number(1000.0 * seconds, 1) + " ms" : Number(seconds, 2) + " s";
 }
@@ -85,7 +85,7 @@ void PrintWrench(const WrenchTopic& wrench) {
     Line("force", ForceText(stream));
   }
   for (std::size_t index = 0; index < wrench.found.size(); ++index) {
-    Line(index == 0 ? "episodes" : "", Padded(wrench.found[index].way, 9) + EpisodesText(wrench.found[index]));
+    Line(index == 0 ? "episodes" : "", Padded(wrench.found[index].mode, 9) + EpisodesText(wrench.found[index]));
   }
 }
 
@@ -146,7 +146,7 @@ void Print(const std::string& path, const BagInspection& inspection) {
   }
 }
 
-/// Inspects all bags, also those after one that cannot be read.
+/// Inspects all bags, even if some of them cannot be read.
 void Inspect(const BagArguments& arguments) {
   const BagReaderOptions options = ReadOptions(arguments).reader;
   std::vector<std::string> unreadable;
@@ -169,7 +169,7 @@ void Inspect(const BagArguments& arguments) {
 Command InspectCommand() {
   Command command;
   command.name = "inspect";
-  command.description = "Says what is in bags, models included, what is wrong with it, and what to do";
+  command.description = "Shows the contents of bags and models, what is wrong with them, and what to do";
   command.usage = "BAG...";
   const auto arguments = std::make_shared<BagArguments>();
   AddBagArguments(&command, arguments.get());

@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::cli {
 
-/// `inspect BAG...`: says what is in bags, what is wrong with it, and what to do about it.
+/// `inspect BAG...`: shows the contents of bags and models, what is wrong with them, and what to do.
 Command InspectCommand();
 
 }  // namespace contact_shapelets::cli

@@ -25,7 +25,7 @@ using contact_shapelets::cli::Command;
 constexpr int kBadInput = 1;
 constexpr int kWrongUsage = 2;
 
-/// Keeps what is said of damaged bags while this exists, so that it does not get into the line that tells of progress.
+/// Keeps the errors about damaged bags as long as this object lives, so that they do not mix with the progress line.
 class BagErrors {
  public:
   void Print() const {
@@ -45,7 +45,7 @@ class BagErrors {
 
 int PrintHelp(const std::vector<Command>& commands) {
   std::cout << "Learns force patterns from recorded episodes, and names the outcome of new ones.\n"
-               "Usage: shapelets COMMAND ... (shapelets COMMAND --help says more)\n";
+               "Usage: shapelets COMMAND ... (shapelets COMMAND --help lists its options)\n";
   for (const Command& command : commands) {
     std::cout << "  " << contact_shapelets::cli::Padded(command.name, 10) << command.description << '\n';
   }
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     if (std::fflush(stdout) != 0 || !std::cout) throw std::runtime_error("the results cannot be written to stdout");
     return status;
   } catch (const contact_shapelets::cli::UsageError& error) {
-    std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << " (shapelets --help says more)\n";
+    std::cerr << "shapelets: " << contact_shapelets::OneLine(error.what()) << " (see shapelets --help)\n";
     return kWrongUsage;
   } catch (const std::exception& error) {
     bag_errors.Print();

@@ -64,7 +64,7 @@ void Report(const Arguments& arguments) {
   TextOutput page(page_path);
   WriteCsv(contents.episodes, contents.results, table.stream());
   *page.stream() << ReportPage(contents);
-  // A page goes with its table: neither is replaced where one of them cannot be.
+  // Page and table belong together: if one cannot be written, the other is not replaced.
   table.Check();
   page.Check();
   table.Finish();
@@ -80,7 +80,7 @@ Command ReportCommand() {
   namespace po = boost::program_options;
   Command command;
   command.name = "report";
-  command.description = "Writes a page on what a model makes of bags";
+  command.description = "Writes a page with a model's diagnoses of bags";
   command.usage = "MODEL.bag BAG... --out DIR";
   const auto arguments = std::make_shared<Arguments>();
   command.places.add_options()("model", po::value(&arguments->model)->required());

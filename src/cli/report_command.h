@@ -4,7 +4,7 @@
 
 namespace contact_shapelets::cli {
 
-/// `report MODEL.bag BAG... --out DIR`: a page on what a model makes of bags, and a table beside it.
+/// `report MODEL.bag BAG... --out DIR`: writes a page with a model's diagnoses of bags, and a table beside it.
 Command ReportCommand();
 
 }  // namespace contact_shapelets::cli

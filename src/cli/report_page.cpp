@@ -29,7 +29,7 @@ constexpr char kStyle[] =
     ".mark{margin-right:.6em}td:first-child{white-space:nowrap}"
     "h2{margin-top:1.8em;border-bottom:1px solid #bbb}summary{cursor:pointer}";
 
-/// One row of a table. Cells that hold nothing but digits and signs are figures.
+/// Returns one row of a table. A cell of only digits and signs is a figure.
 std::string Row(const std::vector<std::string>& cells) {
   std::string row = "<tr>";
   for (const std::string& cell : cells) {
@@ -39,7 +39,7 @@ std::string Row(const std::vector<std::string>& cells) {
   return row + "</tr>\n";
 }
 
-/// The title of a table's column, and whether it stands over figures.
+/// The title of a table's column, and whether the column has figures.
 struct Column {
   std::string title;
   bool figures = false;
@@ -75,7 +75,7 @@ std::string Summary(const ReportContents& contents) {
               " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
               Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
   const auto agreement = evaluation::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
-  if (!agreement) return Paragraph(text + " The bags give no outcomes to compare with.");
+  if (!agreement) return Paragraph(text + " The bags have no outcomes to compare with.");
   const evaluation::PartitionScores& scores = agreement->scores;
   return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +
                    ": Rand index <b>" + Number(scores.rand_index, 4) + "</b>, ARI " +
@@ -101,8 +101,8 @@ std::string ProvenanceTable(const ReportContents& contents) {
   return table + "</table>\n";
 }
 
-/// The colour of a cell: right where the event is the outcome, or "unknown" for one that no cluster is named after;
-/// none where the outcome or a name is missing.
+/// Returns the colour class of a cell. It is right if the event equals the outcome, or if the event is "unknown" and no
+/// cluster has the outcome's name. It is empty if the outcome or the name of the cluster is missing.
 std::string Verdict(const core::Model& model, const std::string& outcome, const std::string& event) {
   const auto is_named = [&model](const std::string& name) {
     return std::any_of(model.clusters.begin(), model.clusters.end(),

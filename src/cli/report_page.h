@@ -7,12 +7,11 @@
 #include "contact_shapelets/core/episode.h"
 
 /// \file
-/// The report on a model and on the episodes that it was applied to, as one HTML page that needs no other
-/// file.
+/// The report on a model and on the episodes that it diagnosed, as one HTML page that needs no other file.
 
 namespace contact_shapelets::cli {
 
-/// What a report is about.
+/// The contents of a report.
 struct ReportContents {
   core::Model model;
   std::string model_file;
@@ -22,8 +21,8 @@ struct ReportContents {
   std::vector<Eigen::VectorXf> series;        ///< their forces [N] at the model's sample period
 };
 
-/// The page: what was found, the model's provenance, agreement with the outcomes, the clusters with typical
-/// force curves and their most telling shapelets, novel episodes, and all episodes as a table.
+/// Returns the page: a summary, the model's provenance, agreement with the outcomes, the clusters with typical force
+/// curves and their most telling shapelets, novel episodes, and a table of all episodes.
 std::string ReportPage(const ReportContents& contents);
 
 }  // namespace contact_shapelets::cli

@@ -22,7 +22,7 @@ const core::Diagnosis& DiagnosisOf(const ReportContents& contents, std::size_t e
   return contents.results[episode].diagnosis;
 }
 
-/// The value below which the part `quantile` of `values` lies.
+/// Returns the `quantile` of `values`.
 double Quantile(std::vector<double> values, double quantile) {
   std::sort(values.begin(), values.end());
   const double place = quantile * static_cast<double>(values.size() - 1);
@@ -31,8 +31,7 @@ double Quantile(std::vector<double> values, double quantile) {
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-/// The shift in samples that lays `series` best over `reference`: the greatest covariance of the parts that
-/// overlap.
+/// Returns the shift in samples with the greatest covariance of `series` and `reference` where they overlap.
 Eigen::Index BestShift(const Eigen::VectorXf& series, const Eigen::VectorXf& reference) {
   const Eigen::VectorXf centred = series.array() - series.mean();
   const Eigen::VectorXf target = reference.array() - reference.mean();
@@ -52,12 +51,11 @@ Eigen::Index BestShift(const Eigen::VectorXf& series, const Eigen::VectorXf& ref
   return best_shift;
 }
 
-/// The members of a cluster, shifted to lie over the most typical one. Enough of them for a median, in large
-/// clusters.
+/// The members of a cluster, shifted to fit the most typical one. Of a large cluster, only enough for a median.
 struct AlignedMembers {
   std::vector<std::size_t> episodes;
   std::vector<Eigen::Index> shifts;
-  Eigen::Index length = 0;  ///< of the most typical one
+  Eigen::Index length = 0;  ///< length of the most typical member
 };
 
 AlignedMembers Align(const ReportContents& contents, int cluster) {
@@ -74,7 +72,7 @@ AlignedMembers Align(const ReportContents& contents, int cluster) {
   return aligned;
 }
 
-/// The quantile of the members' forces at each time where at least half of them have one.
+/// Returns the quantile of the members' forces at each time at which at least half of them have a force.
 std::vector<PlotPoint> QuantileCurve(const ReportContents& contents, const AlignedMembers& members, double quantile) {
   std::vector<PlotPoint> curve;
   for (Eigen::Index sample = 0; sample < members.length; ++sample) {
@@ -99,7 +97,7 @@ std::vector<PlotPoint> ForceCurve(const ReportContents& contents, std::size_t ep
   return curve;
 }
 
-/// Axes that hold all `curves`: time from 0, force from 0.
+/// Returns axes that hold all `curves`, with time and force from 0.
 SvgPlot ForceAxes(const std::vector<std::vector<PlotPoint>>& curves) {
   PlotAxis time{"time from the episode's start [s]", 0.0, 0.0};
   PlotAxis force{"force [N]", 0.0, 0.0};
@@ -113,7 +111,7 @@ SvgPlot ForceAxes(const std::vector<std::vector<PlotPoint>>& curves) {
   return SvgPlot(time, force, kWidth, kHeight);
 }
 
-/// A shapelet as it lay over the episode at its best match: scaled to the window, moved by the best shift.
+/// Returns a shapelet at its best match in the episode: scaled to the window and moved by the best shift.
 std::vector<PlotPoint> MatchCurve(const ReportContents& contents, std::size_t episode, Eigen::Index index) {
   const core::Shapelet& shapelet = contents.model.shapelets[static_cast<std::size_t>(index)];
   const int start = contents.results[episode].features.match_start[index];
@@ -154,8 +152,8 @@ DistanceSpread SpreadOf(const ReportContents& contents, const std::vector<std::s
   return spread;
 }
 
-/// How far each shapelet separates a cluster from the one that it separates it from least; empty without
-/// another cluster.
+/// Returns the least separation of a cluster from the others by each shapelet; an empty array if there is no other
+/// cluster with episodes.
 Eigen::ArrayXf Separations(const ReportContents& contents, int cluster) {
   const DistanceSpread own = SpreadOf(contents, MembersOf(contents, cluster));
   Eigen::ArrayXf least;
@@ -169,7 +167,7 @@ Eigen::ArrayXf Separations(const ReportContents& contents, int cluster) {
   return least;
 }
 
-/// Whether one of two matches lies within the other by more than half of the shorter.
+/// Returns true if two matches overlap by more than half of the shorter.
 bool Overlap(const core::ShapeletDistances& features, Eigen::Index first, Eigen::Index second) {
   const int begin = std::max(features.match_start[first], features.match_start[second]);
   const int end = std::min(features.match_start[first] + features.match_span[first],

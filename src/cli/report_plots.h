@@ -6,38 +6,37 @@
 #include "cli/report_page.h"
 
 /// \file
-/// The plots of a report, and the shapelets that are worth showing.
+/// The plots of a report, and the choice of shapelets to show.
 
 namespace contact_shapelets::cli {
 
-/// The colour that stands for a cluster throughout a report (Okabe and Ito's palette, told apart by
-/// colour-blind eyes).
+/// Returns the colour of a cluster in a report, from Okabe and Ito's palette for colour-blind readers.
 std::string ClusterColour(int cluster);
 
-/// Indices of the episodes whose nearest cluster is `cluster`.
+/// Returns the indices of the episodes that are nearest to `cluster`.
 std::vector<std::size_t> MembersOf(const ReportContents& contents, int cluster);
 
-/// The shapelets that tell a cluster from each of the others, by index, best first: at most `count`, none
-/// whose match in the episode `example` overlaps a better one's by more than half.
+/// Returns the indices of the shapelets that tell a cluster from the others, best first, at most `count`. Leaves out a
+/// shapelet if its match in the episode `example` overlaps the match of a better one by more than half.
 ///
-/// A shapelet separates two clusters by the difference of its mean distances over the sum of the standard
-/// deviations; what counts is the least of a cluster's separations from the others. None where no shapelet
-/// lies nearer to the cluster than to all others, or no other cluster has episodes.
+/// The separation of two clusters by a shapelet is the difference of its mean distances over the sum of their standard
+/// deviations. The least separation from the other clusters counts. Returns none if no shapelet is nearer to the
+/// cluster than to all others, or if no other cluster has episodes.
 std::vector<Eigen::Index> FindTellingShapelets(const ReportContents& contents, int cluster, std::size_t example,
                                                std::size_t count);
 
-/// The member whose features lie nearest to the cluster's centroid. `members` holds at least one.
+/// Returns the member with the features nearest to the cluster's centroid. `members` are not empty.
 std::size_t TypicalMember(const ReportContents& contents, int cluster, const std::vector<std::size_t>& members);
 
-/// The median force of each cluster over time, its episodes shifted to lie over the most typical one.
+/// Plots the median force of each cluster over time. Shifts the episodes to fit the most typical one.
 std::string OverviewPlot(const ReportContents& contents);
-/// The same of one cluster, which has members, within the band that holds 80 % of them.
+/// Plots the same for one cluster with members, and a band that holds 80 % of them.
 std::string TypicalPlot(const ReportContents& contents, int cluster);
-/// The force of an episode, with shapelets drawn where they matched.
+/// Plots the force of an episode, with shapelets at the place of their matches.
 std::string MatchPlot(const ReportContents& contents, std::size_t episode, const std::vector<Eigen::Index>& shapelets);
-/// The novelty of all episodes in the order of their recording, with the limit.
+/// Plots the novelty of all episodes in the order of the bags, with the limit.
 std::string NoveltyPlot(const ReportContents& contents);
-/// The force of one episode, and that of the nearest cluster that is most typical.
+/// Plots the force of one episode and of the most typical episode of the nearest cluster.
 std::string NovelPlot(const ReportContents& contents, std::size_t episode);
 
 }  // namespace contact_shapelets::cli

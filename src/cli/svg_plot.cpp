@@ -13,7 +13,7 @@ constexpr int kRight = 12;
 constexpr int kTop = 8;
 constexpr int kBottom = 42;
 
-/// Distance between ticks: 1, 2 or 5 times a power of ten, so that there are about `count` of them.
+/// Returns the distance between about `count` ticks: 1, 2 or 5 times a power of ten.
 double TickStep(double extent, int count) {
   const double raw = extent / count;
   const double power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -154,8 +154,7 @@ std::string SvgPlot::Text() const {
   const std::string frame = "x=\"" + std::to_string(kLeft) + "\" y=\"" + std::to_string(kTop) + "\" width=\"" +
                             std::to_string(width_ - kLeft - kRight) + "\" height=\"" +
                             std::to_string(height_ - kTop - kBottom) + "\"";
-  // A nested svg element cuts what is drawn outside of the axes, without an identifier that must be unique in
-  // the page.
+  // A nested svg element clips drawings at the axes. A clip path would need an identifier that is unique in the page.
   return "<figure>\n" + Legend() + "<svg viewBox=\"0 0 " + size + "\" width=\"" + std::to_string(width_) +
          "\" height=\"" + std::to_string(height_) + "\" role=\"img\">\n" + Grid() + "<svg " + frame + " viewBox=\"" +
          std::to_string(kLeft) + " " + std::to_string(kTop) + " " + std::to_string(width_ - kLeft - kRight) + " " +

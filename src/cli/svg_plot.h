@@ -4,11 +4,11 @@
 #include <vector>
 
 /// \file
-/// Plots for a page: SVG with a list of what is drawn above it.
+/// Plots for a page: SVG with a legend above.
 
 namespace contact_shapelets::cli {
 
-/// `text` with the characters that mean something in HTML and SVG replaced.
+/// Returns `text` with the special characters of HTML and SVG escaped.
 std::string Escaped(const std::string& text);
 
 /// A point in the units of a plot's axes.
@@ -24,25 +24,24 @@ struct PlotAxis {
   double greatest = 1.0;
 };
 
-/// Axes with ticks, and what is drawn between them. Later drawings lie above earlier ones; what leaves the
-/// axes is cut.
+/// Axes with ticks, and drawings between them. Later drawings cover earlier ones. The axes clip all drawings.
 class SvgPlot {
  public:
-  /// Axes of `width` by `height` pixels, titles and ticks included. An extent of zero is widened.
+  /// Makes axes of `width` by `height` pixels, with titles and ticks. Widens an extent of zero.
   SvgPlot(const PlotAxis& x, const PlotAxis& y, int width, int height);
 
-  /// A line through `points`, `thickness` pixels wide; with a `label`, it is listed above the plot.
+  /// Adds a line through `points`, `thickness` pixels wide. A `label` adds it to the legend.
   void AddLine(const std::vector<PlotPoint>& points, const std::string& colour, double thickness,
                const std::string& label = "");
-  /// A translucent band between two lines of the same x.
+  /// Adds a translucent band between two lines of the same x.
   void AddBand(const std::vector<PlotPoint>& upper, const std::vector<PlotPoint>& lower, const std::string& colour,
                const std::string& label = "");
-  /// A dot whose `title` shows where the pointer rests on it.
+  /// Adds a dot. Its `title` shows when the pointer rests on it.
   void AddDot(const PlotPoint& point, const std::string& colour, const std::string& title);
-  /// Adds an entry to the list above the plot.
+  /// Adds an entry to the legend.
   void AddLegend(const std::string& colour, const std::string& label);
 
-  /// The whole plot as a figure element of HTML.
+  /// Returns the whole plot as a figure element of HTML.
   std::string Text() const;
 
  private:

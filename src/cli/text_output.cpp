@@ -21,7 +21,7 @@ TextOutput::TextOutput(const std::string& path) try : path_(path), file_(path), 
 void TextOutput::Check() {
   errno = 0;
   stream_.flush();
-  if (!stream_) Fail(path_, errno != 0 ? std::strerror(errno) : "an error of the disk");
+  if (!stream_) Fail(path_, errno != 0 ? std::strerror(errno) : "the disk gave an error");
 }
 
 void TextOutput::Finish() {

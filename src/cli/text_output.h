@@ -7,18 +7,18 @@
 
 namespace contact_shapelets::cli {
 
-/// A table or a page that is written as a whole or not at all.
+/// A table or a page. Either the whole file is written or the old one stays.
 class TextOutput {
  public:
-  /// \throws std::runtime_error naming the file where it cannot be made.
+  /// \throws std::runtime_error naming the file if it cannot be made.
   explicit TextOutput(const std::string& path);
 
-  /// Where to write to.
+  /// The stream to write to.
   std::ostream* stream() { return &stream_; }
-  /// Looks whether all could be written so far. \throws std::runtime_error naming the file where not.
+  /// Checks the writing so far. \throws std::runtime_error naming the file if it failed.
   void Check();
-  /// Puts the file in its place. \throws std::runtime_error naming the file where it cannot be; the old one then is as
-  /// it was.
+  /// Puts the file in its place. \throws std::runtime_error naming the file if that fails. The old file then stays as
+  /// it is.
   void Finish();
 
  private:

@@ -24,13 +24,13 @@ struct Arguments {
   bool incomplete = false;
 };
 
-/// Removes incomplete episodes and says how many.
+/// Removes incomplete episodes and prints their number.
 void LeaveOutIncomplete(const Arguments& arguments, const core::TrainerOptions& options,
                         std::vector<core::Episode>* episodes) {
   try {
     const int incomplete = core::TakeIncomplete(options, episodes);
     if (incomplete == 0) return;
-    std::printf("Left out of the training as incomplete: %s (--incomplete takes them)\n",
+    std::printf("Left out of the training as incomplete: %s (use --incomplete to train on them too)\n",
                 Count(static_cast<std::size_t>(incomplete), "episode").c_str());
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(Joined(arguments.bags.bags, ", ") + ": " + error.what());
@@ -80,7 +80,7 @@ void PrintClusters(const core::TrainingResult& result, const std::vector<core::E
                 result.model.EventOf(static_cast<int>(index)).c_str(), outcomes.empty() ? "" : ": ",
                 CountsText(outcomes).c_str());
   }
-  if (unnamed) std::printf("Clusters without a name get one by the service ~name_cluster of classifier_node.\n");
+  if (unnamed) std::printf("To name a cluster, call the service ~name_cluster of classifier_node.\n");
 }
 
 void Train(const Arguments& arguments) {
@@ -116,12 +116,12 @@ Command TrainCommand() {
   command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file to write");
   command.options.add_options()(
       "clusters", po::value(&arguments->clusters)->notifier(InRange("--clusters", 2, core::kMostClusters)),
-      "Number of clusters (default: of the config, 3)");
+      "Number of clusters (default: from the config, else 3)");
   command.options.add_options()(
       "seed", po::value(&arguments->seed)->notifier(InRange("--seed", 0, std::numeric_limits<int>::max())),
       "Equal seeds give equal models");
   command.options.add_options()("incomplete", po::bool_switch(&arguments->incomplete),
-                                "Also learns from episodes that lack samples, such as half a push at a bag's end");
+                                "Learns from incomplete episodes too, such as half a push at the end of a bag");
   command.run = [arguments] {
     Train(*arguments);
     return 0;

@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "episode_node");
-  // record.launch and diagnose.launch both start one.
+  // record.launch and diagnose.launch both start this node.
   contact_shapelets::WaitForName();
   contact_shapelets::EpisodeNode node{ros::NodeHandle(), ros::NodeHandle("~")};
   node.Run();

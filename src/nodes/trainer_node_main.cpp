@@ -8,12 +8,12 @@
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "trainer_node");
-  // ROS handles SIGINT alone; a training ends in good order on both.
+  // ROS handles only SIGINT. A training must end cleanly on SIGTERM too.
   std::signal(SIGTERM, [](int /*signal*/) { ros::requestShutdown(); });
-  // ROS's log does not hear of damaged bags otherwise.
+  // Otherwise errors about damaged bags would not reach ROS's log.
   contact_shapelets::BagLog log([](const std::string& text) { ROS_WARN("%s", text.c_str()); });
   contact_shapelets::TrainerNode node{ros::NodeHandle(), ros::NodeHandle("~")};
-  // Diagnostics and goals go on while a training at the start runs.
+  // Serves diagnostics and goals during the training at the start.
   ros::AsyncSpinner spinner(2);
   spinner.start();
   node.TrainAtStart();

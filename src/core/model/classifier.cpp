@@ -16,13 +16,13 @@ Model Checked(Model model) {
   return model;
 }
 
-/// Share of the nearest cluster where each has the weight 1 / distance^2, as in fuzzy c-means (Bezdek 1981).
+/// Returns the share of the nearest cluster if each has the weight 1 / distance^2, as in fuzzy c-means (Bezdek 1981).
 float NearestShare(const Eigen::Ref<const Eigen::VectorXf>& distances, Eigen::Index nearest) {
   const float least = std::max(distances[nearest], 1e-6F);
   return 1.0F / (least / distances.array().max(1e-6F)).square().sum();
 }
 
-/// The force of `episode` at another period. Each value is a mean over its period, as in a new cut of the stream.
+/// Returns the force of `episode` at another period. Each value is a mean over its period, as in the segmentation.
 Eigen::VectorXf ForceAt(double period, const Episode& episode) {
   const auto nanoseconds = [](double seconds) { return static_cast<Nanoseconds>(std::llround(1e9 * seconds)); };
   std::vector<WrenchSample> samples;

@@ -5,18 +5,17 @@
 #include <vector>
 
 /// \file
-/// Names of clusters by the outcomes that operators gave.
+/// Names clusters by the outcomes that operators reported.
 
 namespace contact_shapelets::core {
 
-/// Names for `clusters` clusters from the outcomes that were given for some items.
+/// Returns a name for each of `clusters` clusters, by the outcomes of some items.
 ///
-/// `labels` [N] are the items' clusters, `outcomes` [N] what was said of each, empty where nothing was. Each outcome is
-/// assigned to at most one cluster, so that the number of items named right is largest, and names it unless another
-/// outcome has more than twice as many items there: a rare outcome must not name a cluster that hardly holds it.
-/// Clusters that are left over take the outcome of most of their items, where more than half of the named ones agree,
-/// and stay unnamed (empty string) elsewhere. \throws std::invalid_argument where sizes differ or a label is out of
-/// range.
+/// `labels` [N] are the clusters of the items, `outcomes` [N] their outcomes, empty if unknown. The assignment gives
+/// each outcome at most one cluster and maximises the number of items with the right name. An outcome does not name its
+/// cluster if another outcome has more than twice as many items there, so a rare outcome cannot name a cluster that
+/// hardly holds it. Each other cluster takes the outcome of more than half of its items that have one, else it has no
+/// name (an empty string). \throws std::invalid_argument if sizes differ or a label is out of range.
 std::vector<std::string> NameClusters(const Eigen::Ref<const Eigen::VectorXi>& labels,
                                       const std::vector<std::string>& outcomes, int clusters);
 

@@ -22,7 +22,8 @@ ShapeletSet SetOf(const std::vector<Shapelet>& shapelets, const std::vector<int>
   return ShapeletSet(rows);
 }
 
-/// The values first, first + step, ... of `series` followed by copies of its last value up to `length` values.
+/// Sets `values` to every `step`-th value of `series` from `first` on. Extends a series shorter than `length` by its
+/// last value.
 void TakeEveryNth(const Eigen::Ref<const Eigen::VectorXf>& series, int length, int first, int step,
                   std::vector<float>* values) {
   const auto size = static_cast<int>(series.size());

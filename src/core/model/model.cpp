@@ -10,15 +10,15 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// Values of z-normalised shapelets are at most the root of their number.
+/// No value of a z-normalised shapelet exceeds the root of the number of values.
 constexpr float kGreatestValue = 1e4F;
-/// Features are distances up to 2, or logarithms down to that of the least log offset.
+/// Features are distances up to 2, or logarithms down to that of the least log offset, -14.
 constexpr float kGreatestFeature = 100.0F;
 constexpr Interval kNoveltyLimits{1e-6, 1e9};
 constexpr Interval kLogOffsets{1e-6, 1.0};
 constexpr Interval kScales{0.0, 1.0, true, true};
 constexpr Interval kDurations{0.0, 1e7};
-/// [ns] What a message's stamp holds.
+/// [ns] Latest time that a message's stamp can hold.
 constexpr Nanoseconds kLatest = 4'294'967'295'999'999'999;
 
 bool Within(const Eigen::Ref<const Eigen::VectorXf>& values, float greatest) {
@@ -56,13 +56,13 @@ void CheckCluster(const Cluster& cluster, std::size_t shapelets, std::ostream& f
   if (cluster.label.size() > kLongestLabel) faults << "has a label of more than " << kLongestLabel << " bytes\n";
 }
 
-/// Writes the lines of `item_faults`, each behind the name of the item.
+/// Writes the lines of `item_faults`, each after the name of the item.
 void Add(const std::string& item, const std::ostringstream& item_faults, std::ostream& faults) {
   std::istringstream lines(item_faults.str());
   for (std::string line; std::getline(lines, line);) faults << item << ' ' << line << '\n';
 }
 
-/// Returns false where there are too many to look at.
+/// Returns false if there are too many shapelets or clusters to check each.
 bool CheckSizes(const Model& model, std::ostream& faults) {
   const auto count = [&faults](const char* what, double size, double greatest) {
     if (size == 0.0) faults << "the model has no " << what << '\n';

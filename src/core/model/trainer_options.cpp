@@ -34,8 +34,8 @@ int TakeIncomplete(const TrainerOptions& options, std::vector<Episode>* episodes
     throw std::invalid_argument("expected at least " + std::to_string(options.clusters) +
                                 " complete episodes, but found " + std::to_string(episodes->size()) + " beside " +
                                 std::to_string(taken) +
-                                " incomplete ones (`inspect` says why they are; --incomplete or the parameter "
-                                "incomplete trains on them as well)");
+                                " incomplete ones (`inspect` shows why; use --incomplete or the parameter incomplete "
+                                "to train on them too)");
   }
   return taken;
 }

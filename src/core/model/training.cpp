@@ -17,26 +17,25 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// What a seed is used for in a training.
+/// The uses of a seed in a training.
 enum Stream : std::uint32_t { kLearning, kRandomShapelets, kVotingEpisodes, kVotes };
 
-/// How much more short shapelets may count than long ones with a voter. Learned scales span a factor of 16, reaches of
-/// random shapelets up to that of Q / 9, which needs a lesser exponent.
+/// Greatest exponents p of the weights scale^-p by which voters prefer short shapelets. Reaches of random shapelets
+/// span a greater factor (up to Q / 9) than the learned scales (16), so they need a smaller exponent.
 constexpr double kLearnedExponent = 2.0;
 constexpr double kRandomExponent = 0.25;
-/// Part of the voters that look at the learned shapelets, where there are random ones.
+/// Part of the voters that see the learned shapelets, if there are random ones.
 constexpr double kLearnedShare = 0.55;
 
-/// Parts of a training that are done when its shapelets are learned, when it is known how far they are away, and when
-/// all have voted.
+/// Progress of a training after learning the shapelets, after computing the distances, and after the votes.
 constexpr double kLearned = 0.9;
 constexpr double kMeasured = 0.95;
 constexpr double kVoted = 0.98;
 
-/// [N] A tare leaves rounding errors of a constant force, which are all that its magnitude then holds.
+/// [N] Rounding errors of the tare make a constant force vary by less than this.
 constexpr float kRounding = 1e-9F;
 
-/// Of distances between features: what rounding alone makes of equal episodes.
+/// Least novelty limit: rounding makes the features of equal episodes differ by less than this.
 constexpr float kLeastLimit = 1e-3F;
 
 void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
@@ -59,7 +58,7 @@ void CheckEpisodes(const std::vector<Episode>& episodes, int clusters) {
   if (all_flat) throw std::invalid_argument("all episodes are flat: the force never changes in any of them");
 }
 
-/// Hours of training must not end in a model that nobody may read.
+/// Checks the size of the model before the training, because LoadModel() would refuse a larger one.
 void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOptions& options) {
   const auto count = static_cast<int>(series.size());
   const int typical_length = MedianLength(series);
@@ -74,7 +73,7 @@ void CheckModelSize(const std::vector<Eigen::VectorXf>& series, const TrainerOpt
                               std::to_string(kMostValues) + ": raise sample_period, or give fewer scales");
 }
 
-/// The scale that each shapelet of `model` was learned at.
+/// Returns the scale of each shapelet of `model`.
 Eigen::VectorXf ScalesOf(const Model& model) {
   Eigen::VectorXf scales(model.shapelets.size());
   for (std::size_t k = 0; k < model.shapelets.size(); ++k) {
@@ -91,8 +90,7 @@ float NoveltyLimit(std::vector<float> distances, double quantile, double margin)
   return std::max(static_cast<float>(margin) * covered, kLeastLimit);
 }
 
-/// A cluster whose episodes are all alike, such as one of a single episode, says nothing of how far others may be: it
-/// takes the median of the others' limits.
+/// Equal episodes, or a single one, give no limit for their cluster. It takes the median of the other clusters' limits.
 void WidenLeastLimits(std::vector<Cluster>* clusters) {
   std::vector<float> limits;
   for (const Cluster& cluster : *clusters) {
@@ -106,7 +104,7 @@ void WidenLeastLimits(std::vector<Cluster>* clusters) {
   }
 }
 
-/// Centroids are taken on the learned shapelets' features alone, so that one pass over an episode classifies it.
+/// Centroids use only the features of the learned shapelets, so that the classifier needs no random ones.
 std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& features,
                                   const Eigen::Ref<const Eigen::VectorXi>& labels, const TrainerOptions& options) {
   std::vector<Cluster> clusters;
@@ -128,8 +126,8 @@ std::vector<Cluster> FormClusters(const Eigen::Ref<const Eigen::MatrixXf>& featu
   return clusters;
 }
 
-/// The clusters of all training episodes. Where there are more than vote, the others go to the nearest centroid of
-/// those drawn to vote.
+/// Returns the clusters of all training episodes. If there are more than `voting_episodes`, draws as many to vote on.
+/// The others go to the nearest centroid of these.
 Eigen::VectorXi TrainingLabels(const Training& training, const std::vector<Eigen::VectorXf>& series,
                                const Eigen::Ref<const Eigen::MatrixXf>& distances, const TrainerOptions& options,
                                const VotesCallback& on_votes) {

@@ -8,11 +8,11 @@
 #include "core/learning/random_shapelets.h"
 
 /// \file
-/// A training with all that it made. The evaluation also needs what is no part of a model.
+/// A training with all its results. The evaluation needs some that are not part of a model.
 
 namespace contact_shapelets::core {
 
-/// What a training made.
+/// The results of a training.
 struct Training {
   Model model;
   Eigen::VectorXi labels;            ///< [N] cluster of each training episode
@@ -23,9 +23,9 @@ struct Training {
 Training Train(const std::vector<Episode>& episodes, const TrainerOptions& options,
                const ProgressCallback& progress = nullptr);
 
-/// The clusters [N] that series fall into by vote, given their distances F to the shapelets of the model of `training`
-/// and what its random shapelets see, one series per row. Labels are not those of the model's clusters: series are
-/// clustered anew, without looking at the training ones. \throws std::invalid_argument where sizes do not match or
+/// Returns the clusters [N] of series by vote. The inputs are their distances to the shapelets of the model of
+/// `training` and to its random shapelets, one series per row. It clusters the series anew, without the training
+/// series, so labels are not those of the model's clusters. \throws std::invalid_argument if sizes do not match or
 /// there are fewer series than clusters.
 Eigen::VectorXi VotedLabels(const Training& training, const Eigen::Ref<const Eigen::MatrixXf>& distances,
                             const Eigen::Ref<const Eigen::MatrixXf>& random_distances, const TrainerOptions& options,

@@ -10,13 +10,13 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// To be raised with each change that makes another model of the same input.
+/// Raise this with each change that makes another model from the same input.
 constexpr std::uint64_t kAlgorithmVersion = 1;
 
-/// [mN] Beyond the greatest force with its tare.
+/// [mN] Limit above every valid force, so that the conversion to an integer cannot overflow.
 constexpr double kGreatest = 1e15;
 
-/// FNV-1a, 64 bits, over numbers of 8 bytes, the lowest byte first on every machine.
+/// FNV-1a of 64 bits over numbers of 8 bytes, lowest byte first on every machine.
 class Digest {
  public:
   void Add(std::uint64_t number) {

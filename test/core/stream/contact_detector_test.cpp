@@ -13,7 +13,7 @@ namespace {
 
 using Changes = std::vector<ContactDetector::Change>;
 
-/// contact above 8 N for 5 ms, no contact below 4 N for 0.2 s, pre-trigger 0.5 s.
+/// contact begins above 8 N for 5 ms and ends below 4 N for 0.2 s, pre-trigger 0.5 s.
 SegmentationOptions Options() { return SegmentationOptions(); }
 
 Changes Play(ContactDetector* detector, const Signal& signal, double begin, double end, double rate = 1000.0) {
@@ -27,7 +27,7 @@ Changes Play(ContactDetector* detector, const Signal& signal, double begin, doub
   return changes;
 }
 
-/// `height` between the two times, else zero.
+/// Returns `height` between the two times, else zero.
 Signal Pulse(double begin, double end, double height, double bias = 0.0) {
   return [=](double time) { return bias + (time >= begin && time < end ? height : 0.0); };
 }
@@ -74,7 +74,7 @@ TEST(ContactDetector, NeedsTheUpperThresholdToBegin) {
 
 TEST(ContactDetector, MeasuresFromARunningBaseline) {
   ContactDetector detector(Options());
-  // A drift of 1 N/s, far beyond the threshold in sum, and then a push.
+  // A drift of 1 N/s that adds up to far more than the threshold, then a push.
   const auto signal = [](double time) { return 30.0 + time + (time > 20.0 ? 15.0 : 0.0); };
   const Changes changes = Play(&detector, signal, 0.0, 20.5, 200.0);
   ASSERT_EQ(changes.size(), 1U);
@@ -119,7 +119,7 @@ TEST(ContactDetector, TriggersAgainOnceItWasLetGo) {
   EXPECT_EQ(changes[0].time, Time(5.5));
 }
 
-/// Rises from 0 N at `begin` by `slope` [N/s] to `height` [N], holds that for a second, and is let go.
+/// Rises from 0 N at `begin` by `slope` [N/s] to `height` [N], holds that for a second, then falls to 0 N.
 Signal Slow(double begin, double slope, double height, double bias = 0.0) {
   const double end = begin + height / slope + 1.0;
   return [=](double time) {
@@ -174,7 +174,7 @@ TEST(ContactDetector, SurvivesASensorThatDoesNotReturnToZero) {
   EXPECT_EQ(contacts, 10);
 }
 
-/// Ten pushes of a second, one each four seconds from 4 s on, over a free-air force.
+/// Ten pushes of one second on top of a free-air force, every four seconds from 4 s on.
 Signal Pushes(const Signal& free_air) {
   return [free_air](double time) {
     const double phase = std::fmod(time, 4.0);

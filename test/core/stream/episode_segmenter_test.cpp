@@ -12,7 +12,7 @@ namespace {
 
 SegmentationOptions Options() {
   SegmentationOptions options;
-  options.tare = TareSource::kService;  // zero, so that forces are what was fed
+  options.tare = TareSource::kService;  // zero, so that forces stay as they are
   return options;
 }
 
@@ -27,7 +27,7 @@ void Edge(EpisodeSegmenter* segmenter, bool open, EdgeSource source, double time
   segmenter->AddEdge(placed, Time(now));
 }
 
-void Plain(EpisodeSegmenter* segmenter, bool open, double now) {
+void Unstamped(EpisodeSegmenter* segmenter, bool open, double now) {
   Edge(segmenter, open, EdgeSource::kUnstamped, now, now);
 }
 
@@ -35,7 +35,7 @@ void Stamped(EpisodeSegmenter* segmenter, bool open, double time, double now, co
   Edge(segmenter, open, EdgeSource::kStamped, time, now, id);
 }
 
-/// The rising force cut from `begin` to `begin` + 0.01 s times the number of values.
+/// Expects the rising force from `begin` on, 0.01 s per value.
 void ExpectRising(const Episode& episode, double begin, int count) {
   EXPECT_EQ(episode.start, Time(begin));
   ASSERT_EQ(episode.force.size(), count);
@@ -44,13 +44,13 @@ void ExpectRising(const Episode& episode, double begin, int count) {
   }
 }
 
-TEST(EpisodeSegmenter, CutsFromThePlainOpeningToThePlainClosing) {
+TEST(EpisodeSegmenter, CutsFromTheUnstampedOpeningToTheUnstampedClosing) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   EXPECT_TRUE(segmenter.IsOpen());
   Feed(&segmenter, Rising, 1.0, 2.0);
-  Plain(&segmenter, false, 2.0);
+  Unstamped(&segmenter, false, 2.0);
   EXPECT_FALSE(segmenter.IsOpen());
   Feed(&segmenter, Rising, 2.0, 2.1);
   const std::vector<Episode> episodes = segmenter.TakeEpisodes();
@@ -88,9 +88,9 @@ TEST(EpisodeSegmenter, AClosingWaitsForTheSamplesBeforeIt) {
 
 TEST(EpisodeSegmenter, AClosingWaitsNoLongerThanTheEdgeWait) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.5);
+  Unstamped(&segmenter, true, 0.5);
   Feed(&segmenter, Rising, 0.5, 1.0);
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   segmenter.AdvanceTo(Time(1.049));
   EXPECT_FALSE(segmenter.TakeEpisodes().size());
   segmenter.AdvanceTo(Time(1.05));
@@ -133,13 +133,13 @@ TEST(EpisodeSegmenter, TheNextEpisodeMayOpenWhileTheLastWaits) {
   ExpectRising(episodes[1], 2.0, 100);
 }
 
-TEST(EpisodeSegmenter, AStampedOpeningCorrectsThePlainOneAndItsName) {
+TEST(EpisodeSegmenter, AStampedOpeningCorrectsTheUnstampedOneAndItsName) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 1.1);
-  Plain(&segmenter, true, 1.1);
+  Unstamped(&segmenter, true, 1.1);
   Stamped(&segmenter, true, 1.0, 1.1);
   Feed(&segmenter, Rising, 1.1, 2.05);
-  Plain(&segmenter, false, 2.05);
+  Unstamped(&segmenter, false, 2.05);
   Stamped(&segmenter, false, 2.0, 2.05);
   Feed(&segmenter, Rising, 2.05, 2.1);
   const std::vector<Episode> episodes = segmenter.TakeEpisodes();
@@ -152,21 +152,21 @@ TEST(EpisodeSegmenter, AStampedOpeningCorrectsThePlainOneAndItsName) {
   EXPECT_EQ(edges[1].id, "1.000");
 }
 
-TEST(EpisodeSegmenter, PlainTwinsOfStampedEdgesAreNoEdgesOfTheirOwn) {
+TEST(EpisodeSegmenter, UnstampedTwinsOfStampedEdgesAreNoEdgesOfTheirOwn) {
   EpisodeSegmenter segmenter(Options());
   for (const double begin : {0.0, 2.0, 4.0}) {
     Feed(&segmenter, Rising, begin, begin + 1.0);
     Stamped(&segmenter, true, begin + 1.0, begin + 1.0);
-    Plain(&segmenter, true, begin + 1.02);
+    Unstamped(&segmenter, true, begin + 1.02);
     Feed(&segmenter, Rising, begin + 1.0, begin + 1.5);
     Stamped(&segmenter, false, begin + 1.5, begin + 1.5);
-    // The next one opens before the twin of the last closing comes.
+    // The next episode opens before the twin of the last closing comes.
     Stamped(&segmenter, true, begin + 1.51, begin + 1.51);
-    Plain(&segmenter, false, begin + 1.52);
-    Plain(&segmenter, true, begin + 1.53);
+    Unstamped(&segmenter, false, begin + 1.52);
+    Unstamped(&segmenter, true, begin + 1.53);
     Feed(&segmenter, Rising, begin + 1.5, begin + 1.9);
     Stamped(&segmenter, false, begin + 1.9, begin + 1.9);
-    Plain(&segmenter, false, begin + 1.92);
+    Unstamped(&segmenter, false, begin + 1.92);
     Feed(&segmenter, Rising, begin + 1.9, begin + 2.0);
   }
   const std::vector<Episode> episodes = segmenter.TakeEpisodes();
@@ -175,26 +175,26 @@ TEST(EpisodeSegmenter, PlainTwinsOfStampedEdgesAreNoEdgesOfTheirOwn) {
   EXPECT_EQ(segmenter.repeated_openings(), 0);
 }
 
-TEST(EpisodeSegmenter, AStrayStampedEdgeDoesNotTurnPlainOnesOff) {
+TEST(EpisodeSegmenter, AStrayStampedEdgeDoesNotTurnUnstampedOnesOff) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 0.5);
   Stamped(&segmenter, false, 0.5, 0.5);
   for (const double begin : {1.0, 2.0, 3.0}) {
     Feed(&segmenter, Rising, begin - 0.5, begin);
-    Plain(&segmenter, true, begin);
+    Unstamped(&segmenter, true, begin);
     Feed(&segmenter, Rising, begin, begin + 0.5);
-    Plain(&segmenter, false, begin + 0.5);
+    Unstamped(&segmenter, false, begin + 0.5);
   }
   Feed(&segmenter, Rising, 3.5, 4.0);
   EXPECT_EQ(segmenter.TakeEpisodes().size(), 3U);
 }
 
-TEST(EpisodeSegmenter, APlainClosingEndsAStampedEpisodeWhereItsTwinIsLost) {
+TEST(EpisodeSegmenter, AnUnstampedClosingEndsAStampedEpisodeIfItsTwinIsLost) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 1.0);
   Stamped(&segmenter, true, 1.0, 1.0);
   Feed(&segmenter, Rising, 1.0, 2.0);
-  Plain(&segmenter, false, 2.0);
+  Unstamped(&segmenter, false, 2.0);
   Feed(&segmenter, Rising, 2.0, 2.2);
   EXPECT_TRUE(segmenter.TakeEpisodes().empty()) << "the stamped closing may still come";
   Feed(&segmenter, Rising, 2.2, 2.3);
@@ -243,14 +243,14 @@ TEST(EpisodeSegmenter, ARecordingOfItsOwnEdgesBesideTheOriginalsGivesEachEpisode
 TEST(EpisodeSegmenter, IgnoresAStartWhileOpenAndAStopWithoutStart) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 0.5);
-  Plain(&segmenter, false, 0.5);
+  Unstamped(&segmenter, false, 0.5);
   Feed(&segmenter, Rising, 0.5, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   Feed(&segmenter, Rising, 1.0, 1.5);
-  Plain(&segmenter, true, 1.5);
+  Unstamped(&segmenter, true, 1.5);
   Feed(&segmenter, Rising, 1.5, 2.0);
-  Plain(&segmenter, false, 2.0);
-  Plain(&segmenter, false, 2.0);
+  Unstamped(&segmenter, false, 2.0);
+  Unstamped(&segmenter, false, 2.0);
   Feed(&segmenter, Rising, 2.0, 2.2);
   const std::vector<Episode> episodes = segmenter.TakeEpisodes();
   ASSERT_EQ(episodes.size(), 1U);
@@ -281,9 +281,9 @@ TEST(EpisodeSegmenter, CommandsOpenAndCloseInEverySegmentation) {
 TEST(EpisodeSegmenter, DropsAndCountsAnEpisodeThatIsTooShort) {
   EpisodeSegmenter segmenter(Options());
   Feed(&segmenter, Rising, 0.0, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   Feed(&segmenter, Rising, 1.0, 1.05);
-  Plain(&segmenter, false, 1.05);
+  Unstamped(&segmenter, false, 1.05);
   Feed(&segmenter, Rising, 1.05, 2.0);
   EXPECT_TRUE(segmenter.TakeEpisodes().empty());
   EXPECT_EQ(segmenter.fault_counts()[static_cast<std::size_t>(EpisodeFault::kTooShort)], 1);
@@ -291,8 +291,8 @@ TEST(EpisodeSegmenter, DropsAndCountsAnEpisodeThatIsTooShort) {
 
 TEST(EpisodeSegmenter, DropsAndCountsAnEpisodeWithoutASample) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 1.0);
-  Plain(&segmenter, false, 2.0);
+  Unstamped(&segmenter, true, 1.0);
+  Unstamped(&segmenter, false, 2.0);
   segmenter.AdvanceTo(Time(3.0));
   EXPECT_TRUE(segmenter.TakeEpisodes().empty());
   EXPECT_EQ(segmenter.fault_counts()[static_cast<std::size_t>(EpisodeFault::kNoSample)], 1);
@@ -301,7 +301,7 @@ TEST(EpisodeSegmenter, DropsAndCountsAnEpisodeWithoutASample) {
 TEST(EpisodeSegmenter, GivesTheOpenEpisodeSoFar) {
   EpisodeSegmenter segmenter(Options());
   EXPECT_FALSE(segmenter.OpenEpisode().has_value());
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   EXPECT_FALSE(segmenter.OpenEpisode().has_value());
   Feed(&segmenter, Rising, 1.0, 1.1);
   EXPECT_FALSE(segmenter.OpenEpisode().has_value()) << "shorter than min_duration";
@@ -311,14 +311,14 @@ TEST(EpisodeSegmenter, GivesTheOpenEpisodeSoFar) {
   ExpectRising(*open, 1.0, 50);
   EXPECT_FALSE(open->complete);
   EXPECT_TRUE(segmenter.IsOpen());
-  Plain(&segmenter, false, 1.51);
+  Unstamped(&segmenter, false, 1.51);
   EXPECT_FALSE(segmenter.OpenEpisode().has_value());
 }
 
 TEST(EpisodeSegmenter, CarriesTheFrameOfTheSensor) {
   EpisodeSegmenter segmenter(Options());
   segmenter.set_frame_id("flange");
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.0);
   segmenter.Finish(Time(1.0));
   ASSERT_TRUE(segmenter.HasNews());

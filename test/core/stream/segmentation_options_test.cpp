@@ -1,4 +1,4 @@
-// Bounds of every parameter of the segmentation, in the validator, the YAML file and the README alike.
+// The bounds of every parameter of the segmentation are the same in the validator, the YAML file and the README.
 #include "contact_shapelets/core/segmentation_options.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A parameter with the least and the greatest value that it may have beside the others, and one beyond each.
+/// A parameter with its least and its greatest valid value, and a value beyond each.
 struct Bound {
   const char* name;
   double SegmentationOptions::*value;
@@ -27,7 +27,7 @@ struct Bound {
   double greatest;
   double below;
   double beyond;
-  const char* row;  ///< of the README: least and greatest
+  const char* row;  ///< least and greatest value in the README
 };
 
 std::vector<Bound> Bounds() {
@@ -59,7 +59,7 @@ std::string Contents(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Some seconds of stream with a contact and edges: nothing may crash, whatever the parameters.
+/// Plays some seconds of stream with a contact and edges, which must not crash with any valid parameters.
 void Play(const SegmentationOptions& options) {
   WrenchStream stream(options);
   for (int index = 0; index < 400; ++index) {
@@ -91,7 +91,7 @@ TEST(SegmentationOptions, RefuseWhatIsBeyondNotANumberOrInfiniteAndNameIt) {
     for (const double value : {bound.below, bound.beyond, kNan, kInfinity, -kInfinity, 1e9, -1.0}) {
       SegmentationOptions options;
       options.*bound.value = value;
-      // A bound between two parameters may be named by the other one.
+      // The message about a bound between two parameters may name the other one.
       const std::string faults = options.Faults();
       EXPECT_NE(faults.find(bound.name), std::string::npos) << bound.name << ' ' << value << ": " << faults;
       EXPECT_THROW(WrenchStream{options}, std::invalid_argument);

@@ -1,4 +1,4 @@
-// The segmenter where the stream is not as it should be, its tare, and contact segmentation.
+// Segmentation of faulty streams, the tare, and contact segmentation.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -15,12 +15,12 @@ SegmentationOptions Options(TareSource tare = TareSource::kService) {
   return options;
 }
 
-void Plain(EpisodeSegmenter* segmenter, bool open, double now) {
+void Unstamped(EpisodeSegmenter* segmenter, bool open, double now) {
   segmenter->AddEdge({{open, Time(now), EdgeSource::kUnstamped, "", Time(now)}, Time(now), Time(now), false, 0},
                      Time(now));
 }
 
-/// The only episode of `segmenter`.
+/// Returns the only episode of `segmenter`.
 Episode Only(EpisodeSegmenter* segmenter) {
   const std::vector<Episode> episodes = segmenter->TakeEpisodes();
   EXPECT_EQ(episodes.size(), 1U);
@@ -29,16 +29,16 @@ Episode Only(EpisodeSegmenter* segmenter) {
 
 double Rising(double time) { return 10.0 * time; }
 
-/// A bias of 3 N, and 12 N on top from 2 s to 3 s.
+/// Returns a bias of 3 N, plus 12 N from 2 s to 3 s.
 double Push(double time) { return time >= 2.0 && time < 3.0 ? 15.0 : 3.0; }
 
 TEST(Tare, OfTheEpisodeStartIsTheMeanOfItsFirstPart) {
   EpisodeSegmenter segmenter(Options(TareSource::kEpisodeStart));
   const auto signal = [](double time) { return time < 1.0 ? 50.0 : Push(time); };
   Feed(&segmenter, signal, 0.0, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   Feed(&segmenter, signal, 1.0, 4.0);
-  Plain(&segmenter, false, 4.0);
+  Unstamped(&segmenter, false, 4.0);
   Feed(&segmenter, signal, 4.0, 4.1);
   const Episode episode = Only(&segmenter);
   EXPECT_NEAR(episode.force[50], 0.0, 1e-5);
@@ -48,18 +48,18 @@ TEST(Tare, OfTheEpisodeStartIsTheMeanOfItsFirstPart) {
 TEST(Tare, OfTheFreeAirIsTheMeanOfTheTimeBeforeTheEpisode) {
   EpisodeSegmenter segmenter(Options(TareSource::kFreeAir));
   Feed(&segmenter, Push, 0.0, 1.995);
-  Plain(&segmenter, true, 1.995);
+  Unstamped(&segmenter, true, 1.995);
   Feed(&segmenter, Push, 2.0, 3.0);
-  Plain(&segmenter, false, 2.99);
+  Unstamped(&segmenter, false, 2.99);
   Feed(&segmenter, Push, 3.0, 3.1);
   EXPECT_NEAR(Only(&segmenter).force[50], 12.0, 1e-5);
 }
 
 TEST(Tare, OfTheFreeAirFallsBackToTheEpisodeStartWithoutSamplesBefore) {
   EpisodeSegmenter segmenter(Options(TareSource::kFreeAir));
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Push, 0.5, 3.0);
-  Plain(&segmenter, false, 3.0);
+  Unstamped(&segmenter, false, 3.0);
   Feed(&segmenter, Push, 3.0, 3.1);
   EXPECT_NEAR(Only(&segmenter).force[250], 12.0, 1e-5);
 }
@@ -67,39 +67,39 @@ TEST(Tare, OfTheFreeAirFallsBackToTheEpisodeStartWithoutSamplesBefore) {
 TEST(Tare, OfTheServiceIsWhatWasMeasuredLastAndZeroBefore) {
   EpisodeSegmenter segmenter(Options());
   EXPECT_THROW(segmenter.MeasureTare(), std::runtime_error);
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Push, 0.0, 0.5);
-  Plain(&segmenter, false, 0.5);
+  Unstamped(&segmenter, false, 0.5);
   Feed(&segmenter, Push, 0.5, 1.0);
   EXPECT_NEAR(Only(&segmenter).force[10], 3.0, 1e-5);
   EXPECT_EQ(segmenter.fault_counts()[static_cast<std::size_t>(EpisodeFault::kNotTared)], 1);
   const Eigen::Vector3d tare = segmenter.MeasureTare();
   EXPECT_TRUE(tare.isApprox(AlongZ(3.0), 1e-4));
   segmenter.set_tare(tare);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   Feed(&segmenter, Push, 1.0, 3.0);
-  Plain(&segmenter, false, 3.0);
+  Unstamped(&segmenter, false, 3.0);
   Feed(&segmenter, Push, 3.0, 3.1);
   EXPECT_NEAR(Only(&segmenter).force[150], 12.0, 1e-5);
 }
 
 TEST(Tare, IsSubtractedAsAVectorBeforeTheMagnitude) {
   EpisodeSegmenter segmenter(Options(TareSource::kEpisodeStart));
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   for (int index = 0; index < 110; ++index) {
     const Eigen::Vector3d force = index < 50 ? Eigen::Vector3d(4.0, 0.0, 0.0) : Eigen::Vector3d(0.0, 3.0, 0.0);
     segmenter.AddSample({Time(0.01 * index), force + 1e-6 * Noisy(0.0, index)}, Time(0.01 * index));
   }
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   EXPECT_NEAR(Only(&segmenter).force[80], 5.0, 1e-5);
 }
 
 TEST(EpisodeLimits, AGapWithinAnEpisodeMakesItIncomplete) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 0.5);
   Feed(&segmenter, Rising, 0.8, 1.0);
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   Feed(&segmenter, Rising, 1.0, 1.1);
   const Episode episode = Only(&segmenter);
   EXPECT_FALSE(episode.complete);
@@ -109,26 +109,26 @@ TEST(EpisodeLimits, AGapWithinAnEpisodeMakesItIncomplete) {
 
 TEST(EpisodeLimits, AGapShorterThanMaxGapDoesNot) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 0.5);
   Feed(&segmenter, Rising, 0.68, 1.0);
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   Feed(&segmenter, Rising, 1.0, 1.1);
   EXPECT_TRUE(Only(&segmenter).complete);
 }
 
 TEST(EpisodeLimits, MissingSamplesAtItsBeginningMakeItIncomplete) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.4, 1.0);
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   Feed(&segmenter, Rising, 1.0, 1.1);
   EXPECT_FALSE(Only(&segmenter).complete);
 }
 
 TEST(EpisodeLimits, AStreamThatStopsClosesTheEpisodeAtItsLastSample) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.01);
   segmenter.AdvanceTo(Time(1.9));
   EXPECT_TRUE(segmenter.IsOpen());
@@ -142,7 +142,7 @@ TEST(EpisodeLimits, AStreamThatStopsClosesTheEpisodeAtItsLastSample) {
 
 TEST(EpisodeLimits, AStreamThatResumesAfterItsTimeoutDoesNotBelongToTheEpisode) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.01);
   Feed(&segmenter, Rising, 5.0, 6.0);
   EXPECT_EQ(Only(&segmenter).force.size(), 100);
@@ -152,9 +152,9 @@ TEST(EpisodeLimits, AnEpisodeThatIsTooLongIsClosed) {
   SegmentationOptions options = Options();
   options.max_duration = 2.0;
   EpisodeSegmenter segmenter(options);
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 5.0);
-  Plain(&segmenter, false, 5.0);
+  Unstamped(&segmenter, false, 5.0);
   const Episode episode = Only(&segmenter);
   EXPECT_EQ(episode.end_reason, EndReason::kTimeout);
   EXPECT_EQ(episode.force.size(), 200);
@@ -163,7 +163,7 @@ TEST(EpisodeLimits, AnEpisodeThatIsTooLongIsClosed) {
 
 TEST(EpisodeLimits, TheEndOfTheInputClosesWhatIsOpen) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.01);
   segmenter.Finish(Time(102.0));
   EXPECT_EQ(Only(&segmenter).end_reason, EndReason::kStream);
@@ -173,9 +173,9 @@ TEST(EpisodeLimits, TheEndOfTheInputClosesWhatIsOpen) {
 
 TEST(EpisodeLimits, TheEndOfTheInputFinishesWhatWaits) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   Feed(&segmenter, Rising, 0.0, 1.0);
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   segmenter.Finish(Time(102.0));
   const Episode episode = Only(&segmenter);
   EXPECT_EQ(episode.end_reason, EndReason::kTrigger);
@@ -186,15 +186,15 @@ TEST(EpisodeLimits, ARestartEndsTheOpenEpisodeAndForgetsOldSamples) {
   EpisodeSegmenter segmenter(Options(TareSource::kFreeAir));
   const auto high = [](double) { return 40.0; };
   Feed(&segmenter, high, 99.0, 100.0);
-  Plain(&segmenter, true, 100.0);
+  Unstamped(&segmenter, true, 100.0);
   Feed(&segmenter, high, 100.0, 101.01);
   segmenter.Restart(Time(102.0));
   EXPECT_EQ(Only(&segmenter).end_reason, EndReason::kStream);
   // The second round has the times of the first again.
   Feed(&segmenter, Push, 0.0, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   Feed(&segmenter, Push, 1.0, 3.0);
-  Plain(&segmenter, false, 3.0);
+  Unstamped(&segmenter, false, 3.0);
   Feed(&segmenter, Push, 3.0, 3.1);
   const Episode episode = Only(&segmenter);
   EXPECT_TRUE(episode.complete);
@@ -207,9 +207,9 @@ TEST(EpisodeLimits, KeepsAnEpisodeOfTheLongestDurationWhole) {
   options.max_duration = 20.0;
   EpisodeSegmenter segmenter(options);
   Feed(&segmenter, Rising, 0.0, 30.0, 1000.0);
-  Plain(&segmenter, true, 30.0);
+  Unstamped(&segmenter, true, 30.0);
   Feed(&segmenter, Rising, 30.0, 49.9, 1000.0);
-  Plain(&segmenter, false, 49.9);
+  Unstamped(&segmenter, false, 49.9);
   Feed(&segmenter, Rising, 49.9, 50.0, 1000.0);
   const Episode episode = Only(&segmenter);
   ASSERT_EQ(episode.force.size(), 1990);
@@ -218,17 +218,17 @@ TEST(EpisodeLimits, KeepsAnEpisodeOfTheLongestDurationWhole) {
   EXPECT_NEAR(episode.force[1989], Rising(49.895), 1e-3);
 }
 
-/// One second of a rising force in which the sensor gives what `change` makes of it from 0.4 s on.
+/// Cuts one second of a rising force to which the sensor applies `change` from 0.4 s on.
 Episode Held(double seconds, bool zeros) {
   EpisodeSegmenter segmenter(Options());
-  Plain(&segmenter, true, 0.0);
+  Unstamped(&segmenter, true, 0.0);
   for (int index = 0; index <= 210; ++index) {
     const double time = 0.005 * index;
     const bool held = time >= 0.4 && time < 0.4 + seconds;
     const double force = held ? (zeros ? 0.0 : Rising(0.4)) : Rising(time) + 1.0;
     segmenter.AddSample({Time(time), AlongZ(force)}, Time(time));
   }
-  Plain(&segmenter, false, 1.0);
+  Unstamped(&segmenter, false, 1.0);
   return Only(&segmenter);
 }
 
@@ -245,11 +245,11 @@ TEST(EpisodeLimits, ASensorThatGivesExactZerosMakesTheEpisodeIncomplete) {
 TEST(EpisodeLimits, SamplesWithWrongStampsAmongOthersMakeTheEpisodeIncomplete) {
   for (const int wrong : {2, 3}) {
     EpisodeSegmenter segmenter(Options());
-    Plain(&segmenter, true, 0.0);
+    Unstamped(&segmenter, true, 0.0);
     for (int index = 0; index <= 110; ++index) {
       segmenter.AddSample({Time(0.01 * index), AlongZ(index), index >= 50 && index < 50 + wrong}, Time(0.01 * index));
     }
-    Plain(&segmenter, false, 1.0);
+    Unstamped(&segmenter, false, 1.0);
     EXPECT_EQ(Only(&segmenter).complete, wrong == 2);
   }
 }
@@ -275,7 +275,7 @@ TEST(ContactSegmentation, CutsFromThePreTriggerToTheEndOfTheHoldOff) {
 TEST(ContactSegmentation, IgnoresTriggers) {
   EpisodeSegmenter segmenter(ContactOptions());
   Feed(&segmenter, Push, 0.0, 1.0);
-  Plain(&segmenter, true, 1.0);
+  Unstamped(&segmenter, true, 1.0);
   EXPECT_FALSE(segmenter.IsOpen());
   segmenter.AddEdge({{true, Time(1.0), EdgeSource::kStamped, "", 0}, Time(1.0), Time(1.0), false, 0}, Time(1.0));
   EXPECT_FALSE(segmenter.IsOpen());
@@ -291,7 +291,7 @@ TEST(ContactSegmentation, ContactsCloseToEachOtherShareNoSample) {
   ASSERT_EQ(episodes.size(), 2U);
   const Nanoseconds end = episodes[0].start + Time(episodes[0].duration());
   EXPECT_GE(episodes[1].start, end);
-  // Its tare is free air: had it begun 0.5 s before the contact, it would be the force of the first.
+  // Its tare is free air. If it began 0.5 s before the contact, its tare would be the force of the first contact.
   EXPECT_NEAR(episodes[1].force.maxCoeff(), 12.0, 1e-4);
 }
 

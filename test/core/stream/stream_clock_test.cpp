@@ -14,10 +14,10 @@ using Verdict = SampleTime::Verdict;
 
 constexpr Nanoseconds kMillisecond = 1'000'000;
 constexpr Nanoseconds kSecond = 1'000'000'000;
-/// Somewhere today, where a double has no nanoseconds.
+/// A time today, at which a double cannot hold nanoseconds.
 constexpr Nanoseconds kStart = 1'700'000'000 * kSecond + 1;
 
-/// Resolves `count` samples 10 ms apart from `stamp` and `arrival` on; all must be accepted.
+/// Resolves `count` samples 10 ms apart from `stamp` and `arrival` on. Expects that all are accepted.
 void Play(StreamClock* clock, Nanoseconds stamp, Nanoseconds arrival, int count) {
   for (int index = 0; index < count; ++index) {
     const SampleTime sample =
@@ -26,8 +26,8 @@ void Play(StreamClock* clock, Nanoseconds stamp, Nanoseconds arrival, int count)
   }
 }
 
-/// Samples 10 ms apart from `arrival` on by a clock that is `offset` behind; returns how many were accepted until the
-/// stream began anew.
+/// Resolves samples 10 ms apart from `arrival` on by a clock that is `offset` behind. Returns how many are accepted
+/// before the stream starts anew.
 int PlayUntilRestart(StreamClock* clock, Nanoseconds arrival, Nanoseconds offset) {
   for (int index = 0; index < 100; ++index) {
     const Nanoseconds now = arrival + index * 10 * kMillisecond;

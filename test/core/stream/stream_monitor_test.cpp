@@ -13,7 +13,7 @@
 namespace contact_shapelets::core {
 namespace {
 
-/// `count` samples that all differ, `interval` [s] apart, the first at `begin` [s].
+/// Adds `count` different samples, `interval` [s] apart, the first at `begin` [s].
 void Play(StreamMonitor* monitor, double begin, double interval, int count) {
   for (int index = 0; index < count; ++index) {
     monitor->AddSample(Time(begin + index * interval), AlongZ(10.0 + 0.01 * index));

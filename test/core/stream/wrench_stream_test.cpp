@@ -19,7 +19,7 @@ SegmentationOptions Options() {
 
 double Rising(double time) { return 10.0 * time; }
 
-/// Feeds samples at 100 Hz, stamped `offset` [s] ahead of their arrival; without stamps where `stamped` is false.
+/// Feeds samples at 100 Hz with stamps `offset` [s] ahead of their arrival, or without stamps if `stamped` is false.
 void Feed(WrenchStream* stream, double begin, double end, double offset = 0.0, bool stamped = true) {
   for (int index = 0; index < std::lround(100.0 * (end - begin)); ++index) {
     const double time = begin + 0.01 * index;
@@ -187,7 +187,7 @@ TEST(WrenchStream, EdgesFollowThisMachinesClockWhereThatIsSet) {
   for (const double step : {0.8, -0.8, 0.05}) {
     WrenchStream stream(Options());
     Feed(&stream, 10.0, 20.0);
-    // From here on all arrivals are off by the step.
+    // From here on the step shifts all arrivals.
     const double base = 20.0 + step;
     Feed(&stream, base, base + 0.3, -step);
     stream.AddPlainEdge(true, Time(base + 0.3));
@@ -234,7 +234,7 @@ TEST(WrenchStream, ADriverWhoseClockIsSetInAnEpisodeMakesThatIncompleteAndNoOthe
   }
 }
 
-/// Two episodes of a second by stamped edges that say a time `early` seconds before they arrive.
+/// Cuts two episodes of one second by stamped edges with stamps `early` seconds before their arrival.
 std::vector<Episode> EarlyEdges(double early, StreamSummary* summary) {
   WrenchStream stream(Options());
   Feed(&stream, 100.0, 140.0);
@@ -274,7 +274,7 @@ TEST(WrenchStream, AStampedOpeningThatWasDecidedOnLateIsExactWhereItsClosingIsIn
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 10.0);
   for (const double begin : {10.0, 14.0}) {
-    // As of contact segmentation with a pre-trigger of 2 s.
+    // Contact segmentation with a pre-trigger of 2 s gives such edges.
     Feed(&stream, begin, begin + 2.0);
     stream.AddStampedEdge(true, Time(begin), "", Time(begin + 2.0), "node");
     Feed(&stream, begin + 2.0, begin + 3.0);

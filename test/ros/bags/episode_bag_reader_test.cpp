@@ -41,7 +41,7 @@ Episode EpisodeMessage(const std::string& id, int samples, const std::string& ou
   return message;
 }
 
-TEST_F(EpisodeBagTest, CutsRawWrenchByPlainTriggers) {
+TEST_F(EpisodeBagTest, CutsRawWrenchByUnstampedTriggers) {
   WritePushes(Path("pushes.bag"));
   const BagContents contents = ReadEpisodes(Path("pushes.bag"), Options());
   ASSERT_EQ(contents.episodes.size(), 3U);
@@ -107,7 +107,7 @@ TEST_F(EpisodeBagTest, OutcomesBelongToTheirEpisodeIfAllHaveOneName) {
   EXPECT_EQ(contents.episodes[2].outcome, "outcome of 5");
 }
 
-TEST_F(EpisodeBagTest, CutsByStampsIfThereAreSomeAndIgnoresPlainTriggers) {
+TEST_F(EpisodeBagTest, CutsByStampsIfThereAreSomeAndIgnoresUnstampedTriggers) {
   {
     BagWriter bag(Path("pushes.bag"));
     bag.Rising(0.0, 3.0);

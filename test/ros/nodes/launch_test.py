@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The shipped launch files load and start, and a training ends in good order on signals."""
+"""The shipped launch files load and start, and a signal ends a training cleanly."""
 
 import math
 import os
@@ -47,7 +47,7 @@ def load(path, arguments=()):
 
 
 def remaps_of(config, node_type):
-    """Returns what the node of this type has its topics remapped to, by their names in the node."""
+    """Returns the remapped topics of the node of this type, by their names in the node."""
     (node,) = [node for node in config.nodes if node.type == node_type]
     return {source.rsplit("/", 1)[-1]: target for source, target in node.remap_args}
 

@@ -1,5 +1,4 @@
-/// The wrench adapter, on messages of which neither side has the driver's package: their types travel with the
-/// connection.
+/// The wrench adapter reads messages without the driver's package: the connection carries their types.
 
 #include <geometry_msgs/WrenchStamped.h>
 #include <gtest/gtest.h>
@@ -14,7 +13,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-/// A driver that publishes one kind of message of its own.
+/// A driver that publishes messages of its own type.
 class Driver {
  public:
   Driver(const std::string& topic, const topic_tools::ShapeShifter& message)
@@ -30,7 +29,7 @@ class Driver {
   ros::Publisher publisher_;
 };
 
-/// An arm that publishes joint states and external torques by messages of its driver.
+/// An arm that publishes joint states, and external torques in a message of its driver.
 class Arm {
  public:
   explicit Arm(const std::string& name)
@@ -45,7 +44,7 @@ class Arm {
     joints_.Publish(JointStates(stamp, {}, positions));
   }
   void SendTorques(const ros::Time& stamp) { driver_.Publish(ExternalTorques(stamp, torques_)); }
-  /// Sends both with these stamps until their wrench arrives: topics travel apart.
+  /// Sends both with these stamps until their wrench arrives, because topics have separate connections.
   bool SendUntilWrench(const ros::Time& joint_stamp, const ros::Time& torque_stamp) {
     return WaitUntil([&] {
       joints_.Publish(JointStates(joint_stamp, IiwaJoints(), positions_));

@@ -27,7 +27,7 @@ std::string PathParameter(const std::string& name) {
   return path;
 }
 
-/// The first episode of the shipped test bag, as a message.
+/// Returns the first episode of the shipped test bag as a message.
 Episode AnEpisode() {
   return ToMessage(ReadEpisodes(PathParameter("bags") + "/switch_push_test.bag", BagReaderOptions()).episodes.front());
 }
@@ -60,7 +60,7 @@ class RunningClassifier {
     EXPECT_TRUE(ros::service::call(service, name));
     return name.response;
   }
-  /// Copies what the node gives for `episode` once it has given it.
+  /// Waits for the node's results for `episode` and copies them.
   bool Diagnosed(const Episode& episode, Diagnosis* diagnosis) {
     const std::size_t before = diagnoses.messages().size();
     End(episode);
@@ -110,7 +110,7 @@ TEST(Classifier, DiagnosesOpenEpisodesEarlyButOnlyWhileTheyAreOpen) {
   Episode open = episode;
   open.complete = false;
   open.force.resize(episode.force.size() / 10);
-  node.Progress(open);  // too short to say anything
+  node.Progress(open);  // too short for a diagnosis
   open.force.assign(episode.force.begin(),
                     episode.force.begin() + static_cast<std::ptrdiff_t>(episode.force.size() / 2));
   node.Progress(open);
@@ -119,7 +119,7 @@ TEST(Classifier, DiagnosesOpenEpisodesEarlyButOnlyWhileTheyAreOpen) {
   Diagnosis diagnosis;
   ASSERT_TRUE(node.Diagnosed(episode, &diagnosis));
   EXPECT_TRUE(diagnosis.final);
-  node.Progress(open);  // overtaken by the end
+  node.Progress(open);  // the end came first
   open.episode_id = "next";
   node.Progress(open);
   ASSERT_TRUE(node.diagnoses.WaitForCount(3));
@@ -139,7 +139,7 @@ TEST(Classifier, DiagnosesEarlyAlsoWhereAllEpisodesHaveOneName) {
   for (Episode* const episode : {&first, &second}) {
     episode->complete = false;
     episode->force.resize(episode->force.size() / 2);
-    node.Progress(*episode);  // that of the first was overtaken by its end
+    node.Progress(*episode);  // the end of the first episode came before its progress
   }
   ASSERT_TRUE(node.diagnoses.WaitForCount(2));
   EXPECT_FALSE(node.diagnoses.messages().back().final);
@@ -280,7 +280,7 @@ TEST(Classifier, RefusesABadEpisodeAndRecovers) {
   episode.force.front() = std::numeric_limits<float>::quiet_NaN();
   node.End(episode);
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::WARN, "not finite"));
-  // As many samples at the model's period as no memory holds.
+  // At the model's period no memory could hold the samples.
   Episode endless = AnEpisode();
   endless.sample_period = 1e8;
   node.End(endless);

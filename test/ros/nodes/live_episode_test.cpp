@@ -1,4 +1,4 @@
-/// Live segmentation: what the episode node makes of wrench, triggers, services and bad input.
+/// Live segmentation by the episode node: wrench, triggers, services and bad input.
 
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <contact_shapelets/Episode.h>
@@ -17,7 +17,7 @@ namespace {
 
 using diagnostic_msgs::DiagnosticStatus;
 
-/// One second of stream with a contact of 20 N from 0.3 s to 0.6 s.
+/// Plays one second of stream with a contact of 20 N from 0.3 s to 0.6 s.
 double Contact(double time) { return time > 0.3 && time < 0.6 ? 20.0 : 0.0; }
 
 std_srvs::Trigger::Response Call(const std::string& service) {
@@ -52,7 +52,7 @@ std_msgs::Bool Active(bool active) {
   return message;
 }
 
-TEST(TriggerSegmentation, CutsBetweenPlainEdgesAndPublishesStampedOnes) {
+TEST(TriggerSegmentation, CutsBetweenUnstampedEdgesAndPublishesStampedOnes) {
   Inbox<Episode> episodes("plain/episode");
   Inbox<EpisodeEvent> events("plain/episode_event");
   Sensor sensor("plain/wrench");

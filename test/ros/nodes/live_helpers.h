@@ -11,13 +11,13 @@
 #include <vector>
 
 /// \file
-/// What the tests of running nodes share. Waits are for conditions; their limits are only reached where a test fails.
+/// Helpers for tests of running nodes. They wait for conditions. Only a failing test reaches their time limits.
 
 namespace contact_shapelets::test {
 
 constexpr double kLimit = 30.0;
 
-/// Handles callbacks until `condition` holds; false where it does not within the limit [s].
+/// Handles callbacks until `condition` holds. Returns false if it does not hold within the limit [s].
 inline bool WaitUntil(const std::function<bool()>& condition, double limit = kLimit) {
   const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(limit);
   while (!condition()) {
@@ -28,7 +28,7 @@ inline bool WaitUntil(const std::function<bool()>& condition, double limit = kLi
   return true;
 }
 
-/// Keeps what arrives on a topic.
+/// Keeps the messages of a topic.
 template <typename Message>
 class Inbox {
  public:
@@ -62,20 +62,20 @@ class Diagnostics {
               for (const Status& status : array->status) last_[status.name.substr(0, status.name.find(':'))] = status;
             })) {}
 
-  /// Waits until `node` ("namespace/name") reports what `condition` asks for.
+  /// Waits until the status of `node` ("namespace/name") fulfils `condition`.
   bool WaitFor(const std::string& node, const std::function<bool(const Status&)>& condition) {
     return WaitUntil([&] {
       const auto status = last_.find(node);
       return status != last_.end() && condition(status->second);
     });
   }
-  /// Whether the last report of `node` has this level and a part of the summary.
+  /// Returns true if the last status of `node` has this level and its summary holds this text.
   bool Says(const std::string& node, int level, const std::string& part) const {
     const auto status = last_.find(node);
     return status != last_.end() && status->second.level == level &&
            status->second.message.find(part) != std::string::npos;
   }
-  /// Waits for a level and a part of the summary.
+  /// Waits for a level and a text in the summary.
   bool WaitFor(const std::string& node, int level, const std::string& part) {
     return WaitUntil([&] { return Says(node, level, part); });
   }
@@ -93,7 +93,7 @@ class Diagnostics {
   ros::Subscriber subscriber_;
 };
 
-/// A wrench with this force along z.
+/// Returns a wrench with this force along z.
 inline geometry_msgs::WrenchStamped WrenchOf(const ros::Time& stamp, double force) {
   geometry_msgs::WrenchStamped wrench;
   wrench.header.stamp = stamp;
@@ -111,13 +111,13 @@ class Sensor {
   bool WaitForSubscriber() {
     return WaitUntil([this] { return publisher_.getNumSubscribers() > 0; });
   }
-  /// Publishes for `duration` [s] what `force` [N] gives for the time since the call, and handles callbacks.
+  /// Publishes `force` [N], a function of the time after the call, for `duration` [s]. Handles callbacks.
   void Play(double duration, const std::function<double(double)>& force) {
     const ros::Time start = ros::Time::now();
     ros::WallRate rate(200.0);
     double time = 0.0;
     while (time < duration) {
-      // Noise of a thousandth of a newton, since a constant stream counts as frozen.
+      // Noise of 1 mN, because a constant stream counts as frozen.
       noise_ = 1e-3 - noise_;
       publisher_.publish(WrenchOf(ros::Time::now(), force(time) + noise_));
       ros::spinOnce();

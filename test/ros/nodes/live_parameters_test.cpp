@@ -1,4 +1,4 @@
-/// Parameters by rosparam and by the offline program's own reading of the same file.
+/// The offline program reads a parameter file as rosparam does.
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
@@ -13,7 +13,7 @@
 namespace contact_shapelets::test {
 namespace {
 
-/// What a reader makes of `name`, asked for as each kind of value.
+/// Returns the value of `name` as a reader gives it for each type.
 template <typename Value>
 std::string Reading(ParameterReader reader, const std::string& name, Value value) {
   reader.Read(name, &value);

@@ -45,7 +45,7 @@ TrainGoal GoalTo(const std::string& output) {
   return goal;
 }
 
-/// A copy of a model that no training may touch.
+/// A copy of a model. No training may change it.
 std::string OldModel() {
   std::string path = testing::TempDir() + "old_model.bag";
   std::ofstream(path, std::ios::binary) << Contents(PathParameter("model"));
@@ -174,7 +174,7 @@ TEST(Trainer, RefusesMoreClustersThanEpisodes) {
 }
 
 TEST(Trainer, RefusesAnOutputBeforeItTrains) {
-  // Its training would never end.
+  // This training would never end.
   Client client("slow/train", true);
   ASSERT_TRUE(client.waitForServer(ros::Duration(kLimit)));
   const std::string recording = testing::TempDir() + "recording.bag";

@@ -1,5 +1,5 @@
-/// A recorded bag, played through the nodes in simulated time by the launch file that users have, gives what the
-/// offline program gives.
+/// replay.launch plays a recorded bag through the nodes in simulated time. The results equal those of the offline
+/// program.
 
 #include <contact_shapelets/Diagnosis.h>
 #include <contact_shapelets/Episode.h>
@@ -21,7 +21,7 @@ std::string Parameter(const std::string& name) {
   return value;
 }
 
-/// What the nodes gave for a bag that loops, and what the offline classes give for it.
+/// The results of the nodes for a bag that loops, and those of the offline classes.
 class Replay : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -34,7 +34,7 @@ class Replay : public testing::Test {
     expected_ = ReadEpisodes(Parameter("bag"), BagReaderOptions()).episodes;
     const core::Classifier classifier(LoadModel(Parameter("model")));
     for (const core::Episode& episode : expected_) results_.push_back(classifier.Classify(episode));
-    // The player waits for this subscriber: it starts when all else is connected.
+    // The player waits for this subscriber, so it starts when everything is connected.
     const Inbox<std_msgs::String> outcomes("outcome");
     const std::size_t once = expected_.size();
     ASSERT_TRUE(WaitUntil([&] { return features.messages().size() >= once + 2; }, 120.0));

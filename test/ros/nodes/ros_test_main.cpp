@@ -4,7 +4,7 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   ros::init(argc, argv, "contact_shapelets_test");
-  // While one handle lives, the connections of the tests stay up.
+  // This handle keeps the connections of the tests open.
   const ros::NodeHandle keep_alive;
   return RUN_ALL_TESTS();
 }

@@ -1,4 +1,4 @@
-/// Simulated time that jumps back, as when a bag is played in a loop.
+/// Simulated time jumps back, as in a bag that plays in a loop.
 
 #include <contact_shapelets/Episode.h>
 #include <contact_shapelets/EpisodeEvent.h>
@@ -11,7 +11,7 @@
 namespace contact_shapelets::test {
 namespace {
 
-/// The world of the node under test: its clock, its sensor, its sequencer.
+/// Clock, sensor and sequencer of the node under test.
 class SimulatedTime : public testing::Test {
  protected:
   SimulatedTime()
@@ -26,7 +26,7 @@ class SimulatedTime : public testing::Test {
     ASSERT_TRUE(WaitUntil([this] { return clock_.getNumSubscribers() > 1 && sequencer_.getNumSubscribers() > 0; }));
   }
 
-  /// Sets the clock, and waits until the node has taken it over.
+  /// Sets the clock and waits until the node has the new time.
   bool SetClock(double time) {
     rosgraph_msgs::Clock message;
     message.clock = ros::Time(time);
@@ -37,9 +37,9 @@ class SimulatedTime : public testing::Test {
                          [&](const auto& array) { return array.header.stamp == ros::Time(time); });
     });
   }
-  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`, and waits until the node has them: on a busy
-  /// machine they would else arrive after the next jump of the clock. Needs one diagnosis since the last jump, as
-  /// SetClock() waits for.
+  /// Publishes wrenches at 200 Hz of simulated time from `begin` to `end`, and waits until the node has them. Otherwise
+  /// they could arrive after the next jump of the clock on a busy machine. Call SetClock() after each jump first,
+  /// because this needs the node's diagnostics since then.
   void PlayWrench(double begin, double end) {
     const int before = Samples();
     int count = 0;
@@ -48,7 +48,7 @@ class SimulatedTime : public testing::Test {
     }
     ASSERT_TRUE(WaitUntil([&] { return Samples() == before + count; }));
   }
-  /// Samples that the node has taken, by its last diagnostics.
+  /// Returns the number of samples that the node has taken, by its last diagnostics.
   int Samples() const {
     for (const auto& value : health_.messages().back().status.front().values) {
       if (value.key == "samples") return std::stoi(value.value);
