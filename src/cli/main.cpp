@@ -12,6 +12,7 @@
 #include "cli/evaluate_command.h"
 #include "cli/inspect_command.h"
 #include "cli/report_command.h"
+#include "cli/segment_command.h"
 #include "cli/text.h"
 #include "cli/train_command.h"
 #include "ros/bags/bag_damage.h"
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
                             contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
-                            contact_shapelets::cli::ReportCommand()},
+                            contact_shapelets::cli::ReportCommand(), contact_shapelets::cli::SegmentCommand()},
                            {argv + 1, argv + argc});
     bag_errors.Print();
     std::cout.flush();
