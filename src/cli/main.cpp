@@ -1,6 +1,7 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <stdexcept>
@@ -69,6 +70,8 @@ int Run(const std::vector<Command>& commands, const std::vector<std::string>& ar
 
 int main(int argc, char** argv) {
   const contact_shapelets::RemovalOnSignals removal;
+  // `shapelets ... | head` closes the pipe early; the files that a command writes are finished all the same.
+  std::signal(SIGPIPE, SIG_IGN);
   ros::Time::init();
   BagErrors bag_errors;
   try {
