@@ -1,6 +1,7 @@
 #include <ros/time.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include "cli/evaluate_command.h"
 #include "cli/inspect_command.h"
 #include "cli/report_command.h"
+#include "cli/segment_command.h"
 #include "cli/text.h"
 #include "cli/train_command.h"
 #include "ros/bags/bag_damage.h"
@@ -68,12 +70,14 @@ int Run(const std::vector<Command>& commands, const std::vector<std::string>& ar
 
 int main(int argc, char** argv) {
   const contact_shapelets::RemovalOnSignals removal;
+  // `shapelets ... | head` closes the pipe early; the files that a command writes are finished all the same.
+  std::signal(SIGPIPE, SIG_IGN);
   ros::Time::init();
   BagErrors bag_errors;
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
                             contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
-                            contact_shapelets::cli::ReportCommand()},
+                            contact_shapelets::cli::ReportCommand(), contact_shapelets::cli::SegmentCommand()},
                            {argv + 1, argv + argc});
     bag_errors.Print();
     std::cout.flush();

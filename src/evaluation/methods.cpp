@@ -5,6 +5,8 @@
 
 #include "core/numerics/series.h"
 #include "evaluation/data_set.h"
+#include "evaluation/dictionary.h"
+#include "evaluation/dtw.h"
 #include "evaluation/feature_clusterer.h"
 #include "evaluation/k_shape.h"
 #include "evaluation/stne_clusterer.h"
@@ -42,7 +44,8 @@ int UdfsNeighbours(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& ClustererNames() {
-  static const std::vector<std::string> names{"kmeans", "udfs", "kshape", "uslm", "nn_stne", "nn_stne_paper"};
+  static const std::vector<std::string> names{"kmeans", "dtw",        "udfs",    "kshape",
+                                              "uslm",   "dictionary", "nn_stne", "nn_stne_paper"};
   return names;
 }
 
@@ -54,6 +57,8 @@ std::unique_ptr<Clusterer> MakeClusterer(const std::string& name, const core::Tr
     udfs.neighbours = neighbours;
     return std::make_unique<UdfsClusterer>(udfs);
   }
+  if (name == "dtw") return std::make_unique<DtwClusterer>(DtwOptions{});
+  if (name == "dictionary") return std::make_unique<DictionaryClusterer>(DictionaryOptions{});
   if (name == "kshape") return std::make_unique<KShapeClusterer>();
   if (name == "uslm") return std::make_unique<UslmClusterer>(UslmOptions{});
   if (name == "nn_stne") return std::make_unique<StneClusterer>(options);

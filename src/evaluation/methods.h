@@ -18,6 +18,8 @@ const std::vector<std::string>& ClustererNames();
 /// Returns the method `name`:
 ///
 /// - "kmeans": K-means on the z-normalised series
+/// - "dtw": K-medoids under dynamic time warping with a band of a tenth (dtw.h)
+/// - "dictionary": shapelet dictionary by sparse coding (dictionary.h)
 /// - "udfs": UDFS with 5 neighbours (udfs.h); "udfs_k1" to "udfs_k999": with 1 to 999
 /// - "kshape": k-Shape (k_shape.h)
 /// - "uslm": USLM (uslm.h)

@@ -12,6 +12,11 @@
 #include <stdexcept>
 
 namespace contact_shapelets {
+namespace {
+
+constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
+
+}  // namespace
 
 void OpenBag(const std::string& path, rosbag::Bag* bag, const std::string& expected) {
   const std::string but = path + ": expected " + expected + ", but ";
@@ -66,6 +71,31 @@ std::string BagTopics::List() const {
     separator = ", ";
   }
   return list.str();
+}
+
+std::string Joined(const std::vector<std::string>& names) {
+  std::string joined;
+  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
+  return joined;
+}
+
+std::string WrenchTopicOf(const std::string& path, const BagTopics& topics, const std::string& wanted) {
+  const std::vector<std::string> wrenches = topics.OfType(kWrenchType);
+  if (!wanted.empty()) {
+    for (const std::string& topic : wrenches) {
+      if (topic == wanted || topic == "/" + wanted) return topic;
+    }
+    throw std::runtime_error(path + ": expected " + kWrenchType + " on " + wanted + ", but found " + topics.List());
+  }
+  if (wrenches.empty()) {
+    throw std::runtime_error(path + ": expected a topic of type " + kWrenchType +
+                             " or contact_shapelets/Episode, but found " + topics.List());
+  }
+  if (wrenches.size() > 1) {
+    throw std::runtime_error(path + ": expected one topic of type " + std::string(kWrenchType) + ", but found " +
+                             Joined(wrenches) + "; choose one by --wrench-topic");
+  }
+  return wrenches.front();
 }
 
 }  // namespace contact_shapelets

@@ -32,4 +32,11 @@ class BagTopics {
   std::map<std::string, std::string> type_of_;
 };
 
+/// `names` with commas between them.
+std::string Joined(const std::vector<std::string>& names);
+
+/// The topic of the wrench among `topics` of the bag `path`: `wanted`, or the only one of type WrenchStamped if
+/// `wanted` is empty. \throws std::runtime_error in one line that names the bag if there is none, or more than one.
+std::string WrenchTopicOf(const std::string& path, const BagTopics& topics, const std::string& wanted);
+
 }  // namespace contact_shapelets

@@ -24,8 +24,6 @@
 namespace contact_shapelets {
 namespace {
 
-constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
-
 /// The topics to read; a name is empty if the bag has no such topic.
 struct Parts {
   std::string wrench;
@@ -37,37 +35,12 @@ struct Parts {
   std::string episode;
 };
 
-std::string Joined(const std::vector<std::string>& names) {
-  std::string joined;
-  for (const std::string& name : names) joined += (joined.empty() ? "" : ", ") + name;
-  return joined;
-}
-
 std::string AtMostOne(const std::string& path, const std::vector<std::string>& topics, const std::string& what) {
   if (topics.size() > 1) {
     throw std::runtime_error(path + ": expected one " + what + " topic, but found " + Joined(topics) +
                              "; keep one by `rosbag filter`");
   }
   return topics.empty() ? "" : topics.front();
-}
-
-std::string FindWrench(const std::string& path, const BagTopics& topics, const std::string& wanted) {
-  const std::vector<std::string> wrenches = topics.OfType(kWrenchType);
-  if (!wanted.empty()) {
-    for (const std::string& topic : wrenches) {
-      if (topic == wanted || topic == "/" + wanted) return topic;
-    }
-    throw std::runtime_error(path + ": expected " + kWrenchType + " on " + wanted + ", but found " + topics.List());
-  }
-  if (wrenches.empty()) {
-    throw std::runtime_error(path + ": expected a topic of type " + kWrenchType +
-                             " or contact_shapelets/Episode, but found " + topics.List());
-  }
-  if (wrenches.size() > 1) {
-    throw std::runtime_error(path + ": expected one topic of type " + std::string(kWrenchType) + ", but found " +
-                             Joined(wrenches) + "; choose one by --wrench-topic");
-  }
-  return wrenches.front();
 }
 
 Parts FindParts(const std::string& path, const BagTopics& topics, const BagReaderOptions& options) {
@@ -77,7 +50,7 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
     parts.episode = AtMostOne(path, topics.Named(topics::kEpisode, "contact_shapelets/Episode"), "episode");
     if (!parts.episode.empty()) return parts;
   }
-  parts.wrench = FindWrench(path, topics, options.wrench_topic);
+  parts.wrench = WrenchTopicOf(path, topics, options.wrench_topic);
   parts.tare = AtMostOne(path, topics.Named(topics::kTare, "contact_shapelets/Tare"), "tare");
   if (options.segmentation.segmentation == core::SegmentationMode::kTrigger) {
     parts.event =
