@@ -1,10 +1,7 @@
-/// Drives running nodes as robots would, and measures the time from the last wrench of an episode to its diagnosis, and
-/// the number of samples lost. scripts/soak.sh runs it.
+/// Drives running nodes as robots would. It measures the time from the last wrench of an episode to its diagnosis,
+/// counts the samples lost, and compares every episode with what was sent. scripts/soak.sh runs it.
 
-#include <contact_shapelets/Diagnosis.h>
-#include <contact_shapelets/EpisodeEvent.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
-#include <geometry_msgs/WrenchStamped.h>
 #include <ros/ros.h>
 
 #include <algorithm>
@@ -13,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -22,89 +18,15 @@
 #include <string>
 #include <vector>
 
+#include "driven_robot.h"
+#include "wait.h"
+
 namespace {
 
-constexpr double kLimit = 60.0;
-
-bool WaitUntil(const std::function<bool()>& condition) {
-  const ros::WallTime end = ros::WallTime::now() + ros::WallDuration(kLimit);
-  while (!condition() && ros::WallTime::now() < end) ros::WallDuration(0.01).sleep();
-  return condition();
-}
-
-/// A driver at a fixed rate with its sequencer: a push of 0.5 s every 0.6 s.
-class Robot {
- public:
-  Robot(const std::string& name, double rate) : rate_(rate) {
-    wrench_publisher_ = node_handle_.advertise<geometry_msgs::WrenchStamped>(name + "/wrench", 2000);
-    event_publisher_ = node_handle_.advertise<contact_shapelets::EpisodeEvent>(name + "/episode_event", 10);
-    diagnosis_subscriber_ = node_handle_.subscribe<contact_shapelets::Diagnosis>(
-        name + "/diagnosis", 100, [this](const contact_shapelets::Diagnosis::ConstPtr& diagnosis) { Take(*diagnosis); },
-        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
-  }
-
-  bool WaitForConnections() const {
-    return WaitUntil([this] {
-      return wrench_publisher_.getNumSubscribers() > 0 && event_publisher_.getNumSubscribers() > 0 &&
-             diagnosis_subscriber_.getNumPublishers() > 0;
-    });
-  }
-
-  void Send() {
-    const auto period = static_cast<int>(0.6 * rate_);
-    const auto position = static_cast<int>(sent_ % period);
-    const ros::Time now = ros::Time::now();
-    geometry_msgs::WrenchStamped wrench;
-    wrench.header.stamp = now;
-    wrench.wrench.force.z = 10.0 * std::sin(0.02 * position) + 0.01 * static_cast<double>(sent_ % 7);
-    const bool last = position == period - 1;
-    const ros::WallTime sent = ros::WallTime::now();
-    wrench_publisher_.publish(wrench);
-    ++sent_;
-    if (position == period / 6) SendEdge(contact_shapelets::EpisodeEvent::OPEN, now);
-    if (!last || id_.empty()) return;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      last_wrench_[id_] = sent;
-    }
-    SendEdge(contact_shapelets::EpisodeEvent::CLOSE, now);
-  }
-
-  std::int64_t sent() const { return sent_; }
-  std::vector<double> Latencies() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return latencies_;
-  }
-
- private:
-  void SendEdge(std::uint8_t kind, const ros::Time& stamp) {
-    if (kind == contact_shapelets::EpisodeEvent::OPEN) id_ = std::to_string(sent_);
-    contact_shapelets::EpisodeEvent event;
-    event.header.stamp = stamp;
-    event.kind = kind;
-    event.episode_id = id_;
-    event_publisher_.publish(event);
-  }
-
-  void Take(const contact_shapelets::Diagnosis& diagnosis) {
-    const ros::WallTime now = ros::WallTime::now();
-    if (!diagnosis.final) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto sent = last_wrench_.find(diagnosis.episode_id);
-    if (sent != last_wrench_.end()) latencies_.push_back(1000.0 * (now - sent->second).toSec());
-  }
-
-  double rate_;
-  std::int64_t sent_ = 0;
-  std::string id_;
-  mutable std::mutex mutex_;
-  std::map<std::string, ros::WallTime> last_wrench_;
-  std::vector<double> latencies_;
-  ros::NodeHandle node_handle_;
-  ros::Publisher wrench_publisher_;
-  ros::Publisher event_publisher_;
-  ros::Subscriber diagnosis_subscriber_;
-};
+using contact_shapelets::benchmark::ClockFaults;
+using contact_shapelets::benchmark::DrivenRobot;
+using contact_shapelets::benchmark::Outcome;
+using contact_shapelets::benchmark::WaitUntil;
 
 /// The number of samples that each episode node says it has received.
 class Received {
@@ -143,6 +65,7 @@ struct Arguments {
   int robots = 1;
   double rate = 1000.0;
   double seconds = 120.0;
+  bool faults = false;
 };
 
 /// Reads the command line. Returns nothing, after a message, if it is wrong.
@@ -153,6 +76,8 @@ std::optional<Arguments> ReadArguments(int argc, char** argv) {
   options.add_options()("robots", po::value(&arguments.robots), "Number of robots, 1 to 64");
   options.add_options()("rate", po::value(&arguments.rate), "[Hz] of each wrench, 10 to 2000");
   options.add_options()("seconds", po::value(&arguments.seconds), "Duration, above 0");
+  options.add_options()("faults", po::bool_switch(&arguments.faults),
+                        "Let each driver's clock drift by 100 ppm and be set by 0.4 s, and each driver restart");
   try {
     po::variables_map values;
     po::store(po::parse_command_line(argc, argv, options), values);
@@ -168,31 +93,42 @@ std::optional<Arguments> ReadArguments(int argc, char** argv) {
   return std::nullopt;
 }
 
-using Robots = std::vector<std::unique_ptr<Robot>>;
+using Robots = std::vector<std::unique_ptr<DrivenRobot>>;
 
-/// Sends wrenches of all robots for the given time. Returns how long that took [s].
+/// The faults of a robot: its own times, so that they meet pushes and the time between them.
+ClockFaults FaultsOf(int robot, const Arguments& arguments) {
+  ClockFaults faults;
+  if (!arguments.faults) return faults;
+  faults.drift = robot % 4 < 2 ? 1e-4 : -1e-4;
+  faults.step = 0.4;
+  faults.step_at = arguments.seconds / 3.0 + 0.17 * robot;
+  faults.restart_at = 2.0 * arguments.seconds / 3.0 + 0.17 * robot;
+  return faults;
+}
+
+/// Sends wrenches of all robots for the given time. Returns the rate that was reached [Hz].
 double Drive(const Robots& robots, const Arguments& arguments) {
   ros::WallRate pace(arguments.rate);
   const ros::WallTime start = ros::WallTime::now();
   const auto elapsed = [&start] { return (ros::WallTime::now() - start).toSec(); };
-  std::int64_t sent = 0;
+  std::int64_t ticks = 0;
   for (double time = 0.0; ros::ok() && time < arguments.seconds; time = elapsed()) {
     // After a delay, sends the missing wrenches, so that the rate holds.
-    for (; static_cast<double>(sent) <= time * arguments.rate; ++sent) {
-      for (const auto& robot : robots) robot->Send();
+    for (; static_cast<double>(ticks) <= time * arguments.rate; ++ticks) {
+      for (const auto& robot : robots) robot->Send(static_cast<double>(ticks) / arguments.rate, elapsed());
     }
     pace.sleep();
   }
-  return elapsed();
+  return static_cast<double>(ticks) / elapsed();
 }
 
 /// Prints how many wrenches were lost, and the latencies of the diagnoses. Returns the number of wrenches lost.
-std::int64_t PrintResults(const Robots& robots, const Received& received, double duration) {
+std::int64_t PrintLoad(const Robots& robots, const Received& received, double rate) {
   std::int64_t lost = 0;
   std::int64_t sent = 0;
   std::vector<double> latencies;
   for (std::size_t index = 0; index < robots.size(); ++index) {
-    const Robot& robot = *robots[index];
+    const DrivenRobot& robot = *robots[index];
     const std::string name = "robot" + std::to_string(index);
     WaitUntil([&] { return received.Of(name) >= robot.sent(); });
     lost += robot.sent() - received.Of(name);
@@ -202,11 +138,30 @@ std::int64_t PrintResults(const Robots& robots, const Received& received, double
   }
   std::printf("%zu robots, %.0f Hz reached for each, %" PRId64 " wrenches sent, %" PRId64
               " lost, %zu episodes diagnosed\n",
-              robots.size(), static_cast<double>(sent) / duration / static_cast<double>(robots.size()), sent, lost,
-              latencies.size());
+              robots.size(), rate, sent, lost, latencies.size());
   std::printf("last wrench sent to diagnosis received: median %.2f ms, p99 %.2f ms, longest %.2f ms\n",
               Quantile(latencies, 0.5), Quantile(latencies, 0.99), Quantile(latencies, 1.0));
   return lost;
+}
+
+/// Prints how the episodes compare with the pushes. Returns the number of those that are wrong or lost.
+int PrintEpisodes(const Robots& robots) {
+  Outcome sum;
+  for (const auto& robot : robots) {
+    robot->WaitForLastEpisode();
+    const Outcome outcome = robot->Compare();
+    sum.right += outcome.right;
+    sum.wrong += outcome.wrong;
+    sum.incomplete += outcome.incomplete;
+    sum.lost += outcome.lost;
+    sum.greatest_error = std::max(sum.greatest_error, outcome.greatest_error);
+    sum.greatest_part = std::max(sum.greatest_part, outcome.greatest_part);
+  }
+  std::printf(
+      "pushes: %d right, %d wrong, %d incomplete across a fault, %d lost; edges off by %.2f ms at most, %.0f %% "
+      "of the tolerance\n",
+      sum.right, sum.wrong, sum.incomplete, sum.lost, 1000.0 * sum.greatest_error, 100.0 * sum.greatest_part);
+  return sum.wrong + sum.lost;
 }
 
 }  // namespace
@@ -220,13 +175,17 @@ int main(int argc, char** argv) {
   const Received received;
   Robots robots;
   for (int index = 0; index < arguments->robots; ++index) {
-    robots.push_back(std::make_unique<Robot>("robot" + std::to_string(index), arguments->rate));
+    // Every other robot has plain edges.
+    robots.push_back(std::make_unique<DrivenRobot>("robot" + std::to_string(index), arguments->rate, index % 2 == 0,
+                                                   FaultsOf(index, *arguments)));
   }
   for (const auto& robot : robots) {
     if (robot->WaitForConnections()) continue;
     std::fprintf(stderr, "live_load: not all nodes of robot0 to robot%d are there\n", arguments->robots - 1);
     return 1;
   }
-  const double duration = Drive(robots, *arguments);
-  return PrintResults(robots, received, duration) == 0 ? 0 : 1;
+  const double rate = Drive(robots, *arguments);
+  const int bad_episodes = PrintEpisodes(robots);
+  const std::int64_t lost = PrintLoad(robots, received, rate);
+  return lost == 0 && bad_episodes == 0 ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Measures the running nodes: the latency of a diagnosis over 200 pushes at 1 kHz, the load of the episode node, and whether
-# eight robots at 1 kHz lose a sample in SECONDS (default 120). Usage: scripts/soak.sh [SECONDS]
+# Measures the running nodes: the latency of a diagnosis over 200 pushes at 1 kHz, and the load of the episode node. Then
+# eight robots at 1 kHz run for SECONDS (default 120), while their drivers' clocks drift by 100 ppm and are set by 0.4 s, and
+# their drivers restart. Fails if a sample is lost or an episode is wrong. Usage: scripts/soak.sh [SECONDS]
 set -euo pipefail
 
 scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -45,9 +46,9 @@ ticks() {
 }
 
 # Drives the nodes. Fails if that takes far longer than it should.
-drive() {  # ROBOTS SECONDS
+drive() {  # ROBOTS SECONDS [OPTION]
   local limit=$(($2 + 300)) status=0
-  timeout --foreground "$limit" "$programs/live_load" --robots "$1" --seconds "$2" || status=$?
+  timeout --foreground "$limit" "$programs/live_load" --robots "$1" --seconds "$2" "${@:3}" || status=$?
   [ "$status" -ne 124 ] || echo "live_load did not end within $limit s" >&2
   return "$status"
 }
@@ -64,7 +65,8 @@ until answer=$(timeout 10 rosparam list 2>&1); do
   sleep 0.1
 done
 
-start env ROS_NAMESPACE=robot0 "$programs/episode_node"
+# Without a tare the forces of an episode are those that were sent.
+start env ROS_NAMESPACE=robot0 "$programs/episode_node" _tare:=service
 episode_node=$!
 start env ROS_NAMESPACE=robot0 "$programs/classifier_node" _model:="$folder/model.bag"
 before=$(ticks "$episode_node")
@@ -76,11 +78,11 @@ awk -v ticks=$(($(ticks "$episode_node") - before)) -v hertz="$(getconf CLK_TCK)
   'BEGIN { printf "episode_node: %.1f %% of one core\n", 100 * ticks / hertz / (time * 1e-9) }'
 
 for robot in 1 2 3 4 5 6 7; do
-  start env ROS_NAMESPACE="robot$robot" "$programs/episode_node"
+  start env ROS_NAMESPACE="robot$robot" "$programs/episode_node" _tare:=service
   start env ROS_NAMESPACE="robot$robot" "$programs/classifier_node" _model:="$folder/model.bag"
 done
 # A new node for the first robot, so that its counts also start at zero.
 kill "$episode_node"
-start env ROS_NAMESPACE=robot0 "$programs/episode_node"
-echo "Eight robots, $seconds s:"
-drive 8 "$seconds"
+start env ROS_NAMESPACE=robot0 "$programs/episode_node" _tare:=service
+echo "Eight robots, $seconds s, with drift, a step and a restart of each driver:"
+drive 8 "$seconds" --faults

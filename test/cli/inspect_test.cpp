@@ -66,6 +66,10 @@ TEST(InspectTest, GapsAreCountedAndDoNotSpoilTheRate) {
   EXPECT_TRUE(Contains(text, "6 episodes incomplete: a gap in the wrench (trigger)")) << text;
 }
 
+TEST(InspectTest, TwoPublishersOnTheWrenchTopicAreNamed) {
+  EXPECT_TRUE(Contains(InspectFlaw(Flaw::kPublishers), "two publishers on one topic: they took turns"));
+}
+
 TEST(InspectTest, EveryFindingSaysWhatToDo) {
   const std::string text = InspectFlaw(Flaw::kGap);
   std::size_t findings = 0;

@@ -8,6 +8,7 @@
 #include <topic_tools/shape_shifter.h>
 
 #include <array>
+#include <boost/make_shared.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -55,10 +56,23 @@ class WrenchWriter {
     const bool sent = Spoil(flaw_, sample, &wrench);
     const bool again = sample > 0 && (flaw_ == Flaw::kFrozen || (flaw_ == Flaw::kRepeated && sample % 10 == 0));
     if (!again) last_ = wrench;
-    if (sent) bag_->write(topic_, arrival, last_);
+    if (sent) bag_->write(topic_, arrival, last_, ConnectionOf(sample));
   }
 
  private:
+  /// A driver's connection has a header of its own; without one all messages have the same.
+  boost::shared_ptr<ros::M_string> ConnectionOf(int sample) const {
+    if (flaw_ != Flaw::kPublishers) return {};
+    const geometry_msgs::WrenchStamped wrench;
+    return boost::make_shared<ros::M_string>(ros::M_string{
+        {"topic", topic_},
+        {"callerid", sample % 2 == 0 ? "/driver" : "/other_driver"},
+        {"type", ros::message_traits::datatype(wrench)},
+        {"md5sum", ros::message_traits::md5sum(wrench)},
+        {"message_definition", ros::message_traits::definition(wrench)},
+    });
+  }
+
   std::string topic_;
   Flaw flaw_;
   rosbag::Bag* bag_;

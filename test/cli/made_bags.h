@@ -18,6 +18,7 @@ enum class Flaw {
   kZeroStamps,  ///< messages have no stamp
   kLateStamps,  ///< stamps come from a clock that is an hour behind
   kGap,         ///< half a second is missing in each episode
+  kPublishers,  ///< two drivers take turns on the topic
 };
 
 /// A bag of `episodes` pushes at 100 Hz, 3 s each. Their force pulses have three forms in turn.

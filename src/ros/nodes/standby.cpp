@@ -39,17 +39,18 @@ bool Answers(const std::string& uri) {
   XmlRpc::XmlRpcValue question;
   question[0] = ros::this_node::getName();
   XmlRpc::XmlRpcValue answer;
-  bool answered = false;
+  bool done = false;
   if (client.executeNonBlock("getPid", question)) {
     const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kPatience);
-    while (!answered && client.getfd() >= 0 && ros::SteadyTime::now() < end) {
+    while (!done && client.getfd() >= 0 && ros::SteadyTime::now() < end) {
       client._disp.work(kBetweenSteps);
-      answered = client.executeCheckDone(answer);
-      if (!answered) ros::WallDuration(kBetweenSteps).sleep();
+      done = client.executeCheckDone(answer);
+      if (!done) ros::WallDuration(kBetweenSteps).sleep();
     }
   }
   client.close();
-  return answered;
+  // A connection that was refused is done as well.
+  return done && answer.getType() == XmlRpc::XmlRpcValue::TypeArray;
 }
 
 }  // namespace

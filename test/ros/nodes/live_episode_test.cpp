@@ -3,13 +3,19 @@
 #include <actionlib_msgs/GoalStatusArray.h>
 #include <contact_shapelets/Episode.h>
 #include <contact_shapelets/EpisodeEvent.h>
+#include <contact_shapelets/Tare.h>
 #include <gtest/gtest.h>
+#include <ros/network.h>
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
+#include <xmlrpcpp/XmlRpcClient.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 
+#include "contact_shapelets/ros/episode_bag_reader.h"
+#include "ros/bags/bag_fixture.h"
 #include "ros/nodes/live_helpers.h"
 
 namespace contact_shapelets::test {
@@ -45,6 +51,31 @@ class Sequencer {
   ros::NodeHandle node_handle_;
   ros::Publisher publisher_;
 };
+
+/// Where the master says that a node is; each process has its own place.
+std::string UriOf(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue uri;
+  request[0] = ros::this_node::getName();
+  request[1] = ros::names::resolve(node);
+  return ros::master::execute("lookupNode", request, response, uri, false) ? std::string(uri) : "";
+}
+
+/// Ends a node as a crash does, and waits for the one that takes its place.
+bool WaitForRespawn(const std::string& node) {
+  const std::string uri = UriOf(node);
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::network::splitURI(uri, host, port)) return false;
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  request[0] = ros::this_node::getName();
+  if (!client.execute("getPid", request, response) || response.size() != 3) return false;
+  kill(static_cast<int>(response[2]), SIGKILL);
+  return WaitUntil([&] { return UriOf(node) != uri; });
+}
 
 std_msgs::Bool Active(bool active) {
   std_msgs::Bool message;
@@ -191,6 +222,71 @@ TEST(Services, TareReportsTheOffsetAndSubtractsIt) {
   ASSERT_TRUE(episodes.WaitForCount(1));
   EXPECT_NEAR(episodes.messages().front().force.front(), 0.0, 0.1);
   EXPECT_NEAR(Greatest(episodes.messages().front()), 20.0, 0.1);
+}
+
+using TareService = BagTest;
+
+TEST_F(TareService, PublishesTheOffsetForThoseWhoComeLaterAndTheReaderOfBagsUsesIt) {
+  Sensor sensor("tared/wrench");
+  ASSERT_TRUE(sensor.WaitForSubscriber());
+  sensor.Play(0.3, [](double /*time*/) { return 4.0; });
+  ASSERT_TRUE(Call("tared/episode_node/tare").success);
+  Inbox<Tare> tares("tared/tare");
+  ASSERT_TRUE(tares.WaitForCount(1));
+  const Tare tare = tares.messages().back();
+  EXPECT_NEAR(tare.force.z, 4.0, 0.01);
+  EXPECT_EQ(tare.header.frame_id, "flange");
+  {
+    BagWriter bag(Path("tared.bag"));
+    bag.Any("/tare", 0.0, tare);
+    bag.Rising(0.0, 3.0);
+    bag.Active(1.0, true);
+    bag.Active(2.0, false);
+  }
+  BagReaderOptions options;
+  options.segmentation.tare = core::TareSource::kService;
+  const BagContents contents = ReadEpisodes(Path("tared.bag"), options);
+  ASSERT_EQ(contents.episodes.size(), 1U);
+  EXPECT_NEAR(contents.episodes.front().force[0], 6.05, 0.01);
+}
+
+TEST_F(TareService, KeepsTheOffsetOverARespawn) {
+  const auto biased = [](double /*time*/) { return 7.0; };
+  Sensor sensor("tared/wrench");
+  ASSERT_TRUE(sensor.WaitForSubscriber());
+  sensor.Play(0.3, biased);
+  ASSERT_TRUE(Call("tared/episode_node/tare").success);
+  ASSERT_TRUE(WaitForRespawn("tared/episode_node"));
+
+  Inbox<Episode> episodes("tared/episode");
+  Diagnostics diagnostics;
+  ASSERT_TRUE(episodes.WaitForPublisher() && diagnostics.WaitFor("tared/episode_node", [&](const auto& status) {
+    sensor.Play(0.05, biased);
+    return std::any_of(status.values.begin(), status.values.end(),
+                       [](const auto& entry) { return entry.key == "samples" && entry.value != "0"; });
+  }));
+  EXPECT_TRUE(Call("tared/episode_node/start").success);
+  sensor.Play(0.4, [](double time) { return 7.0 + Contact(time); });
+  EXPECT_TRUE(Call("tared/episode_node/stop").success);
+  sensor.Play(0.2, biased);
+  ASSERT_TRUE(episodes.WaitForCount(1));
+  EXPECT_NEAR(episodes.messages().front().force.front(), 0.0, 0.1);
+  Inbox<Tare> tares("tared/tare");
+  EXPECT_TRUE(tares.WaitForCount(1)) << "a recording that starts now needs it";
+}
+
+TEST(TwoPublishers, OnTheWrenchTopicAreNamed) {
+  Diagnostics diagnostics;
+  Sensor driver("doubled/driver_message");
+  Sensor other("doubled/wrench");
+  ASSERT_TRUE(driver.WaitForSubscriber() && other.WaitForSubscriber());
+  double force = 0.0;
+  EXPECT_TRUE(WaitUntil([&] {
+    force = 1.0 - force;
+    driver.Publish(WrenchOf(ros::Time::now(), force));
+    other.Publish(WrenchOf(ros::Time::now(), force + 2.0));
+    return diagnostics.Says("doubled/episode_node", DiagnosticStatus::ERROR, "two publishers on one topic");
+  }));
 }
 
 TEST(BadWrench, IsDroppedAndCounted) {
