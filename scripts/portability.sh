@@ -92,14 +92,18 @@ step() {  # NAME COMMAND...
 }
 
 environment=()
-step debootstrap make_base
-step unpack unpack
-[ "$failed" -eq 0 ] || exit 1
-if [ "$compiler" = clang ]; then
-  environment=(CC=clang CXX=clang++)
-  step clang install_clang
-fi
-step demo.sh in_chroot /root/contact_shapelets/scripts/demo.sh
-step test.sh in_chroot /root/contact_shapelets/scripts/test.sh
-versions
-exit "$failed"
+# A function, which bash reads as a whole: the script may change while it runs.
+main() {
+  step debootstrap make_base
+  step unpack unpack
+  [ "$failed" -eq 0 ] || exit 1
+  if [ "$compiler" = clang ]; then
+    environment=(CC=clang CXX=clang++)
+    step clang install_clang
+  fi
+  step demo.sh in_chroot /root/contact_shapelets/scripts/demo.sh
+  step test.sh in_chroot /root/contact_shapelets/scripts/test.sh
+  versions
+  exit "$failed"
+}
+main
