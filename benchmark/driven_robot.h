@@ -43,8 +43,8 @@ class DrivenRobot {
   bool WaitForConnections() const;
   /// Publishes the next wrench, and its edge if it has one. It is due at `due` [s] and sent at `now`.
   void Send(double due, double now);
-  /// Waits for the episode of the last push; false if it does not come within a minute.
-  bool WaitForLastEpisode() const;
+  /// Whether the episode of the last push has come.
+  bool HasLastEpisode() const;
 
   /// Number of wrenches sent.
   std::int64_t sent() const { return static_cast<std::int64_t>(samples_.size()); }

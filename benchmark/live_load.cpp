@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -124,16 +125,20 @@ double Drive(const Robots& robots, const Arguments& arguments) {
 
 /// Prints how many wrenches were lost, and the latencies of the diagnoses. Returns the number of wrenches lost.
 std::int64_t PrintLoad(const Robots& robots, const Received& received, double rate) {
-  std::int64_t lost = 0;
+  const auto count_lost = [&] {
+    std::int64_t lost = 0;
+    for (std::size_t index = 0; index < robots.size(); ++index) {
+      lost += std::abs(robots[index]->sent() - received.Of("robot" + std::to_string(index)));
+    }
+    return lost;
+  };
+  WaitUntil([&] { return count_lost() == 0; });
+  const std::int64_t lost = count_lost();
   std::int64_t sent = 0;
   std::vector<double> latencies;
-  for (std::size_t index = 0; index < robots.size(); ++index) {
-    const DrivenRobot& robot = *robots[index];
-    const std::string name = "robot" + std::to_string(index);
-    WaitUntil([&] { return received.Of(name) >= robot.sent(); });
-    lost += robot.sent() - received.Of(name);
-    sent += robot.sent();
-    const std::vector<double> of_robot = robot.Latencies();
+  for (const auto& robot : robots) {
+    sent += robot->sent();
+    const std::vector<double> of_robot = robot->Latencies();
     latencies.insert(latencies.end(), of_robot.begin(), of_robot.end());
   }
   std::printf("%zu robots, %.0f Hz reached for each, %" PRId64 " wrenches sent, %" PRId64
@@ -147,8 +152,10 @@ std::int64_t PrintLoad(const Robots& robots, const Received& received, double ra
 /// Prints how the episodes compare with the pushes. Returns the number of those that are wrong or lost.
 int PrintEpisodes(const Robots& robots) {
   Outcome sum;
+  WaitUntil([&] {
+    return std::all_of(robots.begin(), robots.end(), [](const auto& robot) { return robot->HasLastEpisode(); });
+  });
   for (const auto& robot : robots) {
-    robot->WaitForLastEpisode();
     const Outcome outcome = robot->Compare();
     sum.right += outcome.right;
     sum.wrong += outcome.wrong;

@@ -234,7 +234,9 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
                            "raise the driver's rate to 30 Hz or more, or sample_period"});
     }
     for (const EpisodesFound& found : wrench.found) {
-      if (found.mode != "contact") JudgeEpisodes(wrench.name + ": ", found, findings);
+      // Without triggers in the bag, contact is one way to look at it; its findings count if the user asked for it.
+      const bool asked = options.segmentation.segmentation == core::SegmentationMode::kContact;
+      if (asked || found.mode != "contact") JudgeEpisodes(wrench.name + ": ", found, findings);
     }
   }
   if (inspection.wrenches.size() > 1) {

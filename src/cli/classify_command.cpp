@@ -16,6 +16,7 @@
 #include "cli/text_output.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/bags/bag_damage.h"
+#include "ros/bags/bag_writer.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
@@ -49,20 +50,19 @@ void Annotate(const Arguments& arguments, const core::Model& model, const std::v
               const std::vector<core::Classification>& results) {
   try {
     OutputFile file(arguments.annotate);
-    rosbag::Bag output(file.unfinished(), rosbag::bagmode::Write);
-    output.setCompression(rosbag::compression::LZ4);
+    BagWriter output(file.unfinished());
     for (const std::string& path : arguments.bags.bags) {
       BagDamage damage(path);
       const rosbag::Bag input(path, rosbag::bagmode::Read);
       rosbag::View view(input);
       for (const rosbag::MessageInstance& message : view) {
-        output.write(message.getTopic(), message.getTime(), message, message.getConnectionHeader());
+        output.bag().write(message.getTopic(), message.getTime(), message, message.getConnectionHeader());
       }
     }
     for (std::size_t index = 0; index < episodes.size(); ++index) {
-      WriteResult(episodes[index], results[index], model, &output);
+      WriteResult(episodes[index], results[index], model, &output.bag());
     }
-    output.close();
+    output.Close();
     file.Finish();
   } catch (const std::exception& error) {
     throw std::runtime_error(arguments.annotate + ": the annotated bag cannot be written: " + error.what());

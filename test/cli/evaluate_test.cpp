@@ -59,7 +59,7 @@ TEST(Evaluate, GivesTheSameScoresForAnyNumberOfJobs) {
     json[jobs - 1] = WithoutTimes(ReadFile(path));
   }
   EXPECT_EQ(json[0], json[1]);
-  EXPECT_EQ(Count(json[0], "\"dataset\": \"Hills\""), 6 * 2);
+  EXPECT_EQ(Count(json[0], "\"dataset\": \"Hills\""), 8 * 2);
   for (const char* field : {"\"train\": {\"rand_index\": ", "\"test\": {\"rand_index\": ",
                             "\"test_anew\": {\"rand_index\": ", "\"ari\": ", "\"nmi\": ", "\"acc\": "}) {
     EXPECT_GE(Count(json[0], field), 12) << field;

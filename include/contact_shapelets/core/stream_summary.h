@@ -25,6 +25,7 @@ enum class EpisodeFault : std::size_t {
   kFrozen,       ///< the sensor held one value
   kZeros,        ///< the sensor gave exact zeros on all axes
   kWrongStamps,  ///< samples whose stamps were wrong
+  kTooLong,      ///< not closed within `max_duration`, and cut there
   kClosingLost,  ///< the next episode opened before this one was closed
   kZeroMoved,    ///< the force of the contact turned out to be that of free air
   kNotTared,     ///< `tare` is `service`, but nobody called the service; the episode counts as complete

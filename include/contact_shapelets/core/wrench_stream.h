@@ -36,7 +36,7 @@ class WrenchStream {
   /// finite, above kGreatestForce, repeated with their stamp or out of order. Returns false if it dropped the sample.
   bool AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen::Vector3d& force);
   /// Takes an edge without a stamp, at its `arrival`. Ignores edges that change nothing.
-  void AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id = "");
+  void AddUnstampedEdge(bool open, Nanoseconds arrival, const std::string& id = "");
   /// Takes a service call at `arrival`.
   void AddCommand(bool open, Nanoseconds arrival);
   /// Takes an edge with a `stamp` on the clock of the wrench. A stamp of 0 makes it an unstamped edge. If the edges of

@@ -1,6 +1,7 @@
 #include "core/stream/contact_detector.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace contact_shapelets::core {
 namespace {
@@ -10,6 +11,12 @@ constexpr double kGreatestDrift = 1.5;
 /// [s] Time constants of the two means that give the slope.
 constexpr double kFast = 0.1;
 constexpr double kSlow = 0.4;
+/// [s] Time constant of the noise.
+constexpr double kNoise = 1.0;
+/// [N^2] Squared steps up to this count as noise from the start on.
+constexpr double kLeastStep = 0.01;
+/// The slope that noise makes exceeds this multiple of its deviation hardly ever.
+constexpr double kNoiseFactor = 3.5;
 /// A force that is quiet for this long rests.
 constexpr Nanoseconds kQuiet = 500'000'000;
 /// A change of pose moves the free-air force for at most this long.
@@ -43,15 +50,19 @@ void ContactDetector::FollowMeans(const WrenchSample& sample) {
   if (!started_) {
     started_ = true;
     last_time_ = quiet_since_ = moving_since_ = sample.time;
-    fast_mean_ = slow_mean_ = sample.force;
+    fast_mean_ = slow_mean_ = last_force_ = sample.force;
   }
   interval_ = ToSeconds(sample.time - last_time_);
+  const double step = (sample.force - last_force_).squaredNorm();
   last_time_ = sample.time;
   last_force_ = sample.force;
   fast_mean_ += std::min(1.0, interval_ / kFast) * (sample.force - fast_mean_);
   slow_mean_ += std::min(1.0, interval_ / kSlow) * (sample.force - slow_mean_);
   const double slope = (fast_mean_ - slow_mean_).norm() / (kSlow - kFast);
-  if (slope >= kGreatestDrift) {
+  // A step beyond the usual ones is a contact, not noise.
+  noise_ += std::min(1.0, interval_ / kNoise) * (std::min(step, 9.0 * noise_ + kLeastStep) - noise_);
+  const double slope_of_noise = std::sqrt(0.5 * noise_ * std::min(1.0, 0.5 * interval_ / kFast)) / (kSlow - kFast);
+  if (slope >= std::max(kGreatestDrift, kNoiseFactor * slope_of_noise)) {
     quiet_since_ = sample.time;
   } else {
     moving_since_ = sample.time;

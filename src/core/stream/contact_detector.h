@@ -13,9 +13,10 @@ namespace contact_shapelets::core {
 
 /// Decides on contact from the force alone.
 ///
-/// The force is quiet if it moves by less than 1.5 N/s. The baseline starts when the force was quiet for half a second.
-/// Then it follows the force with the time constant `baseline_duration`. It stands still in contact, and while the
-/// force has moved for more than 0.75 s: a change of pose is shorter, drift is slower, so this is a slow contact.
+/// The force is quiet if it moves by less than 1.5 N/s, or by no more than the slopes that its noise makes. The
+/// baseline starts when the force was quiet for half a second. Then it follows the force with the time constant
+/// `baseline_duration`. It stands still in contact, and while the force has moved for more than 0.75 s: a change of
+/// pose is shorter, drift is slower, so this is a slow contact.
 ///
 /// A force may come to rest within a contact, move away by more than contact_on and return to rest at the same value.
 /// Then this value is free air: the sensor re-zeroed, or the stream began in contact.
@@ -57,6 +58,7 @@ class ContactDetector {
   Nanoseconds moving_since_ = 0;         ///< when the force was last quiet
   bool left_rest_ = false;               ///< the force was more than contact_on from `rest_`
   std::optional<Eigen::Vector3d> rest_;  ///< where the force last rested within the contact
+  double noise_ = 0.0;                   ///< [N^2] mean squared step from one sample to the next
   Eigen::Vector3d last_force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d fast_mean_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d slow_mean_ = Eigen::Vector3d::Zero();

@@ -12,6 +12,9 @@
 namespace contact_shapelets::core {
 namespace {
 
+/// A sequencer that repeats the state of its trigger does so at least as often.
+constexpr Nanoseconds kRepeatedState = 2'000'000'000;
+
 constexpr double kGreatestRate = 2000.0;
 /// [s] Longest wait of an edge for its place.
 constexpr double kPlacing = 2.0;
@@ -57,6 +60,7 @@ void EpisodeSegmenter::AddSample(const WrenchSample& sample, Nanoseconds now) {
   last_arrival_ = now;
   if (options_.segmentation == SegmentationMode::kContact) FollowContact(sample, now);
   if (IsOpen() && sample.time - intervals_.back().open >= max_duration_) {
+    intervals_.back().faults |= BitOf(EpisodeFault::kTooLong);
     Close({false, intervals_.back().open + max_duration_, EdgeSource::kCommand, "", now}, EndReason::kTimeout, now);
   }
   FinishReady(now);
@@ -85,7 +89,11 @@ void EpisodeSegmenter::AddEdge(const PlacedEdge& placed, Nanoseconds now) {
   }
   if (edge.open && IsOpen()) {
     ++repeated_openings_;
+    // A sequencer may repeat its state again and again. An opening out of the blue belongs to another episode.
+    if (edge.arrival - last_opening_ > kRepeatedState) intervals_.back().faults |= BitOf(EpisodeFault::kClosingLost);
+    last_opening_ = edge.arrival;
   } else if (edge.open) {
+    last_opening_ = edge.arrival;
     Open(placed, now);
   } else {
     Close(edge, EndReason::kTrigger, now, placed.ahead);

@@ -133,6 +133,7 @@ class EpisodeSegmenter {
   Nanoseconds last_close_ = std::numeric_limits<Nanoseconds>::min();
   EpisodeFaultCounts fault_counts_{};
   std::int64_t repeated_openings_ = 0;
+  Nanoseconds last_opening_ = 0;  ///< arrival of the last opening, a repeated one as well
 };
 
 }  // namespace contact_shapelets::core

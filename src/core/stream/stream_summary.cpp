@@ -119,6 +119,8 @@ constexpr FaultText kFaultTexts[] = {
      "check the driver: near a singularity it may have no estimate"},
     {EpisodeFault::kWrongStamps, "incomplete: wrong stamps of the wrench",
      "look for two publishers on the topic, or a driver that stamps wrongly"},
+    {EpisodeFault::kTooLong, "incomplete: not closed within max_duration, and cut there",
+     "look for a lost closing edge; raise max_duration if contacts last longer"},
     {EpisodeFault::kClosingLost, "incomplete: the next one opened before it was closed",
      "check the sequencer: each opening needs a closing"},
     {EpisodeFault::kZeroMoved, "incomplete: the sensor's zero moved",

@@ -128,7 +128,9 @@ void WrenchStream::Parts::PlaceFront(Nanoseconds at) {
     const Nanoseconds stamp = edge.edge.time;
     const Nanoseconds lateness = earliest - stamp;
     const Nanoseconds longest = FromSeconds(options.max_duration + options.stream_timeout);
-    placed.clock_is_off = trust.IsClockOff(edge.sender, lateness, longest);
+    // No edge arrives long before it happens.
+    const bool ahead = lateness < -FromSeconds(options.edge_match_window);
+    placed.clock_is_off = trust.IsClockOff(edge.sender, lateness, longest) || ahead;
     placed.by_stamp = std::abs(lateness) > longest ? time : stamp;
     if (placed.clock_is_off) {
       ++counts.distrusted_edges;
@@ -226,7 +228,7 @@ bool WrenchStream::AddWrench(Nanoseconds stamp, Nanoseconds arrival, const Eigen
   return true;
 }
 
-void WrenchStream::AddPlainEdge(bool open, Nanoseconds arrival, const std::string& id) {
+void WrenchStream::AddUnstampedEdge(bool open, Nanoseconds arrival, const std::string& id) {
   parts_->AddEdge({open, 0, EdgeSource::kUnstamped, id}, "", arrival);
 }
 
@@ -243,7 +245,7 @@ void WrenchStream::AddStampedEdge(bool open, Nanoseconds stamp, const std::strin
 
 void WrenchStream::AddStatus(bool active, Nanoseconds arrival) {
   if (active == std::exchange(parts_->status_active, active)) return;
-  AddPlainEdge(active, arrival);
+  AddUnstampedEdge(active, arrival);
 }
 
 void WrenchStream::AdvanceTo(Nanoseconds arrival) { parts_->TakeArrival(arrival); }

@@ -77,7 +77,7 @@ class Reading {
       if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
       TakeWrench(*Instantiate<geometry_msgs::WrenchStamped>(message), arrival);
     } else if (topic == parts_.active) {
-      stream_.AddPlainEdge(Instantiate<std_msgs::Bool>(message)->data != 0, arrival);
+      stream_.AddUnstampedEdge(Instantiate<std_msgs::Bool>(message)->data != 0, arrival);
     } else if (topic == parts_.event) {
       const auto event = Instantiate<EpisodeEvent>(message);
       stream_.AddStampedEdge(event->kind == EpisodeEvent::OPEN, ToNanoseconds(event->header.stamp), event->episode_id,

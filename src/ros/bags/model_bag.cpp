@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ros/bags/bag_topics.h"
+#include "ros/bags/bag_writer.h"
 #include "ros/bags/file_lock.h"
 #include "ros/bags/output_file.h"
 #include "ros/messages/conversions.h"
@@ -24,11 +25,9 @@ void Write(const std::string& path, const core::Model& model) {
   if (!faults.empty()) throw std::invalid_argument("it could not be used: " + faults);
   OutputFile file(path);
   const ros::WallTime now = ros::WallTime::now();
-  rosbag::Bag bag(file.unfinished(), rosbag::bagmode::Write);
-  // Compression adds a checksum, so that LoadModel() refuses a damaged model.
-  bag.setCompression(rosbag::compression::LZ4);
-  bag.write(topics::kModel, ros::Time(now.sec, now.nsec), ToMessage(model));
-  bag.close();
+  BagWriter writer(file.unfinished());
+  writer.bag().write(topics::kModel, ros::Time(now.sec, now.nsec), ToMessage(model));
+  writer.Close();
   file.Finish();
 }
 

@@ -116,6 +116,8 @@ void EpisodeNode::Run() {
 
 void EpisodeNode::TakeWrenches() { wrench_queue_.callAvailable(); }
 
+void EpisodeNode::AwaitWrench() { wrench_queue_.callAvailable(ros::WallDuration(kBatch)); }
+
 void EpisodeNode::OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event) {
   const geometry_msgs::WrenchStamped& wrench = *event.getConstMessage();
   if (frame_id_ != wrench.header.frame_id) {
@@ -143,7 +145,8 @@ void EpisodeNode::LetTimePass() {
 
 void EpisodeNode::OnActive(const ros::MessageEvent<std_msgs::Bool const>& event) {
   TakeWrenches();
-  stream_->AddPlainEdge(event.getConstMessage()->data != 0, ArrivalOf(event.getReceiptTime(), last_arrival_));
+  stream_->AddUnstampedEdge(event.getConstMessage()->data != 0, ArrivalOf(event.getReceiptTime(), last_arrival_));
+  AwaitWrench();
   PublishNews();
 }
 
@@ -153,6 +156,7 @@ void EpisodeNode::OnEvent(const ros::MessageEvent<EpisodeEvent const>& event) {
   const EpisodeEvent& message = *event.getConstMessage();
   stream_->AddStampedEdge(message.kind == EpisodeEvent::OPEN, ToNanoseconds(message.header.stamp), message.episode_id,
                           ArrivalOf(event.getReceiptTime(), last_arrival_), event.getPublisherName());
+  AwaitWrench();
   PublishNews();
 }
 

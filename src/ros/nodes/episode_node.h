@@ -40,6 +40,8 @@ class EpisodeNode {
   void Subscribe();
 
   void TakeWrenches();
+  /// An edge gets its place once a wrench follows it: waits for that one, but no longer than for a batch.
+  void AwaitWrench();
   void OnWrench(const ros::MessageEvent<geometry_msgs::WrenchStamped const>& event);
   void OnActive(const ros::MessageEvent<std_msgs::Bool const>& event);
   void OnEvent(const ros::MessageEvent<EpisodeEvent const>& event);

@@ -24,7 +24,7 @@ SegmentationOptions Options() {
 
 void Give(const Message& message, WrenchStream* stream) {
   if (message.kind == Kind::kWrench) stream->AddWrench(message.stamp, message.arrival, message.force);
-  if (message.kind == Kind::kPlain) stream->AddPlainEdge(message.open, message.arrival);
+  if (message.kind == Kind::kPlain) stream->AddUnstampedEdge(message.open, message.arrival);
   if (message.kind == Kind::kStamped) {
     stream->AddStampedEdge(message.open, message.stamp, "", message.arrival, "sequencer");
   }

@@ -65,7 +65,7 @@ void Play(const SegmentationOptions& options) {
   for (int index = 0; index < 400; ++index) {
     const Nanoseconds time = 1'000'000'000 + index * 10'000'000LL;
     stream.AddWrench(time, time, {0.001 * index, 0.0, index > 150 && index < 250 ? 20.0 : 0.0});
-    if (index == 100 || index == 300) stream.AddPlainEdge(index == 100, time);
+    if (index == 100 || index == 300) stream.AddUnstampedEdge(index == 100, time);
     stream.OpenEpisode();
   }
   stream.Finish();

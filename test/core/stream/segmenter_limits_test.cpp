@@ -148,7 +148,7 @@ TEST(EpisodeLimits, AStreamThatResumesAfterItsTimeoutDoesNotBelongToTheEpisode) 
   EXPECT_EQ(Only(&segmenter).force.size(), 100);
 }
 
-TEST(EpisodeLimits, AnEpisodeThatIsTooLongIsClosed) {
+TEST(EpisodeLimits, AnEpisodeThatIsTooLongIsCutAndIncomplete) {
   SegmentationOptions options = Options();
   options.max_duration = 2.0;
   EpisodeSegmenter segmenter(options);
@@ -158,7 +158,7 @@ TEST(EpisodeLimits, AnEpisodeThatIsTooLongIsClosed) {
   const Episode episode = Only(&segmenter);
   EXPECT_EQ(episode.end_reason, EndReason::kTimeout);
   EXPECT_EQ(episode.force.size(), 200);
-  EXPECT_TRUE(episode.complete);
+  EXPECT_FALSE(episode.complete);
 }
 
 TEST(EpisodeLimits, TheEndOfTheInputClosesWhatIsOpen) {
@@ -235,6 +235,30 @@ Episode Held(double seconds, bool zeros) {
 TEST(EpisodeLimits, ASensorThatHoldsItsValueMakesTheEpisodeIncomplete) {
   EXPECT_FALSE(Held(0.3, false).complete);
   EXPECT_TRUE(Held(0.1, false).complete);
+}
+
+TEST(EpisodeLimits, AValueThatRecursIsNotFrozen) {
+  EpisodeSegmenter segmenter(Options());
+  Unstamped(&segmenter, true, 0.0);
+  // A sensor with a dead band of 3 N: zeros at both ends and a push between them, in steps of 1 N.
+  for (int index = 0; index <= 210; ++index) {
+    const double push = 6.0 * std::sin(M_PI * index / 200.0);
+    segmenter.AddSample({Time(0.005 * index), AlongZ(push < 3.0 ? 0.0 : std::round(push))}, Time(0.005 * index));
+  }
+  Unstamped(&segmenter, false, 1.0);
+  EXPECT_TRUE(Only(&segmenter).complete);
+}
+
+TEST(EpisodeLimits, AnUnstampedOpeningOutOfTheBlueMeansALostClosing) {
+  for (const double again : {1.0, 3.0}) {
+    EpisodeSegmenter segmenter(Options());
+    Unstamped(&segmenter, true, 0.0);
+    Feed(&segmenter, Rising, 0.0, again);
+    Unstamped(&segmenter, true, again);
+    Feed(&segmenter, Rising, again, 4.1);
+    Unstamped(&segmenter, false, 4.0);
+    EXPECT_EQ(Only(&segmenter).complete, again < 2.0) << again;
+  }
 }
 
 TEST(EpisodeLimits, ASensorThatGivesExactZerosMakesTheEpisodeIncomplete) {

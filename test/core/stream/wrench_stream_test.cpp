@@ -38,7 +38,7 @@ TEST(WrenchStream, DropsAndCountsForcesThatAreNotFiniteOrThatNoSensorMeasures) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   WrenchStream stream(Options());
   Feed(&stream, 10.0, 11.0);
-  stream.AddPlainEdge(true, Time(11.0));
+  stream.AddUnstampedEdge(true, Time(11.0));
   Feed(&stream, 11.0, 11.5);
   EXPECT_FALSE(stream.AddWrench(Time(11.501), Time(11.501), Eigen::Vector3d(0.0, kNan, 0.0)));
   EXPECT_FALSE(stream.AddWrench(Time(11.502), Time(11.502), Eigen::Vector3d(kInfinity, 0.0, 0.0)));
@@ -46,7 +46,7 @@ TEST(WrenchStream, DropsAndCountsForcesThatAreNotFiniteOrThatNoSensorMeasures) {
   EXPECT_FALSE(stream.AddWrench(Time(11.504), Time(11.504), Eigen::Vector3d(0.0, 0.0, -1e300)));
   EXPECT_FALSE(stream.AddWrench(Time(11.505), Time(11.505), Eigen::Vector3d(0.0, 8e5, 8e5)));
   Feed(&stream, 11.51, 12.1);
-  stream.AddPlainEdge(false, Time(12.0));
+  stream.AddUnstampedEdge(false, Time(12.0));
   const Episode episode = Only(&stream);
   ASSERT_EQ(episode.force.size(), 100);
   for (int index = 0; index < 100; ++index) EXPECT_NEAR(episode.force[index], Rising(11.005 + 0.01 * index), 1e-3);
@@ -57,7 +57,7 @@ TEST(WrenchStream, DropsAndCountsForcesThatAreNotFiniteOrThatNoSensorMeasures) {
 TEST(WrenchStream, AMessageThatIsSentAgainIsNoNews) {
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 2.0);
-  stream.AddPlainEdge(true, Time(2.0));
+  stream.AddUnstampedEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.0);
   for (int index = 0; index < 200; ++index) {
     EXPECT_FALSE(stream.AddWrench(Time(2.99), Time(3.0 + 0.01 * index), Noisy(Rising(2.99), 99)));
@@ -78,7 +78,7 @@ TEST(WrenchStream, NewForcesUnderAStampThatStandsStillAreTakenByArrival) {
 TEST(WrenchStream, PlacesArrivalsOnAClockThatIsHoursOff) {
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 2.0, 7200.0);
-  stream.AddPlainEdge(true, Time(2.0));
+  stream.AddUnstampedEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.0, 7200.0);
   stream.AddCommand(false, Time(3.0));
   Feed(&stream, 3.0, 3.1, 7200.0);
@@ -92,9 +92,9 @@ TEST(WrenchStream, PlacesArrivalsOnAClockThatIsHoursOff) {
 TEST(WrenchStream, GivesTheSameEpisodeWithoutStamps) {
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 2.0, 0.0, false);
-  stream.AddPlainEdge(true, Time(2.0));
+  stream.AddUnstampedEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.0, 0.0, false);
-  stream.AddPlainEdge(false, Time(3.0));
+  stream.AddUnstampedEdge(false, Time(3.0));
   Feed(&stream, 3.0, 3.1, 0.0, false);
   const Episode episode = Only(&stream);
   ASSERT_EQ(episode.force.size(), 100);
@@ -106,11 +106,11 @@ TEST(WrenchStream, OneWrongStampWithinAnEpisodeCostsNothing) {
   for (const double wrong : {-5.0, -3600.0, 5.0, 1e9}) {
     WrenchStream stream(Options());
     Feed(&stream, 4000.0, 4001.0);
-    stream.AddPlainEdge(true, Time(4001.0));
+    stream.AddUnstampedEdge(true, Time(4001.0));
     Feed(&stream, 4001.0, 4001.5);
     EXPECT_TRUE(stream.AddWrench(Time(4001.5 + wrong), Time(4001.5), AlongZ(Rising(4001.5))));
     Feed(&stream, 4001.51, 4002.0);
-    stream.AddPlainEdge(false, Time(4002.0));
+    stream.AddUnstampedEdge(false, Time(4002.0));
     Feed(&stream, 4002.0, 4002.1);
     const Episode episode = Only(&stream);
     EXPECT_TRUE(episode.complete) << wrong;
@@ -140,7 +140,7 @@ TEST(WrenchStream, ALoopedReplayGivesTheSameEpisodesAgain) {
 TEST(WrenchStream, ALoopWithinAnEpisodeEndsItAtTheLastSample) {
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 2.0);
-  stream.AddPlainEdge(true, Time(2.0));
+  stream.AddUnstampedEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.01);
   Feed(&stream, 1.0, 1.5);
   const Episode episode = Only(&stream);
@@ -165,19 +165,19 @@ TEST(WrenchStream, AnEdgeWithAStampOfZeroCountsAtItsArrival) {
 TEST(WrenchStream, AnEdgeBeforeTheFirstWrenchWaitsForTheClockOfTheStamps) {
   for (const double offset : {0.0, -1e5, 1e5}) {
     WrenchStream stream(Options());
-    stream.AddPlainEdge(true, Time(1e4 + 1.0));
+    stream.AddUnstampedEdge(true, Time(1e4 + 1.0));
     stream.AdvanceTo(Time(1e4 + 1.9));
     EXPECT_EQ(stream.Summary().waiting_edges, 1);
     Feed(&stream, 1e4 + 2.0, 1e4 + 3.0, offset);
     EXPECT_EQ(stream.Summary().waiting_edges, 0);
-    stream.AddPlainEdge(false, Time(1e4 + 3.0));
+    stream.AddUnstampedEdge(false, Time(1e4 + 3.0));
     Feed(&stream, 1e4 + 3.0, 1e4 + 4.0, offset);
     const Episode first = Only(&stream);
     EXPECT_EQ(first.start, Time(1e4 + 1.0 + offset));
     EXPECT_FALSE(first.complete) << "its first second is missing";
-    stream.AddPlainEdge(true, Time(1e4 + 4.0));
+    stream.AddUnstampedEdge(true, Time(1e4 + 4.0));
     Feed(&stream, 1e4 + 4.0, 1e4 + 5.0, offset);
-    stream.AddPlainEdge(false, Time(1e4 + 5.0));
+    stream.AddUnstampedEdge(false, Time(1e4 + 5.0));
     Feed(&stream, 1e4 + 5.0, 1e4 + 5.1, offset);
     EXPECT_TRUE(Only(&stream).complete);
   }
@@ -190,9 +190,9 @@ TEST(WrenchStream, EdgesFollowThisMachinesClockWhereThatIsSet) {
     // From here on the step shifts all arrivals.
     const double base = 20.0 + step;
     Feed(&stream, base, base + 0.3, -step);
-    stream.AddPlainEdge(true, Time(base + 0.3));
+    stream.AddUnstampedEdge(true, Time(base + 0.3));
     Feed(&stream, base + 0.3, base + 1.3, -step);
-    stream.AddPlainEdge(false, Time(base + 1.3));
+    stream.AddUnstampedEdge(false, Time(base + 1.3));
     Feed(&stream, base + 1.3, base + 3.0, -step);
     const Episode episode = Only(&stream);
     EXPECT_NEAR(ToSeconds(episode.start), 20.3, 1e-6) << step;
@@ -204,9 +204,9 @@ TEST(WrenchStream, EdgesFollowThisMachinesClockWhereThatIsSet) {
 TEST(WrenchStream, AnEdgeFromBeforeASettingOfTheClockKeepsItsPlace) {
   WrenchStream stream(Options());
   Feed(&stream, 10.0, 20.0);
-  stream.AddPlainEdge(true, Time(19.995));
+  stream.AddUnstampedEdge(true, Time(19.995));
   Feed(&stream, 20.8, 22.0, -0.8);
-  stream.AddPlainEdge(false, Time(22.0));
+  stream.AddUnstampedEdge(false, Time(22.0));
   Feed(&stream, 22.0, 23.0, -0.8);
   const Episode episode = Only(&stream);
   EXPECT_NEAR(ToSeconds(episode.start), 19.995, 1e-6);
@@ -217,15 +217,15 @@ TEST(WrenchStream, ADriverWhoseClockIsSetInAnEpisodeMakesThatIncompleteAndNoOthe
   for (const double step : {0.4, -0.4}) {
     WrenchStream stream(Options());
     Feed(&stream, 10.0, 11.0);
-    stream.AddPlainEdge(true, Time(11.0));
+    stream.AddUnstampedEdge(true, Time(11.0));
     Feed(&stream, 11.0, 11.5);
     Feed(&stream, 11.5, 12.0, step);
-    stream.AddPlainEdge(false, Time(12.0));
+    stream.AddUnstampedEdge(false, Time(12.0));
     Feed(&stream, 12.0, 13.0, step);
     EXPECT_FALSE(Only(&stream).complete);
-    stream.AddPlainEdge(true, Time(13.0));
+    stream.AddUnstampedEdge(true, Time(13.0));
     Feed(&stream, 13.0, 14.0, step);
-    stream.AddPlainEdge(false, Time(14.0));
+    stream.AddUnstampedEdge(false, Time(14.0));
     Feed(&stream, 14.0, 14.1, step);
     const Episode episode = Only(&stream);
     EXPECT_TRUE(episode.complete);
@@ -261,6 +261,22 @@ TEST(WrenchStream, StampedEdgesByAClockThatIsOffCountAtTheirArrivalAndAreNamed) 
   }
 }
 
+TEST(WrenchStream, AnEdgeStampedFarAheadCountsAtItsArrival) {
+  WrenchStream stream(Options());
+  Feed(&stream, 100.0, 140.0);
+  for (const double begin : {140.0, 142.0, 144.0}) {
+    stream.AddStampedEdge(true, Time(begin), "", Time(begin), "sequencer");
+    Feed(&stream, begin, begin + 1.0);
+    const double ahead = begin == 140.0 ? 25.0 : 0.0;
+    stream.AddStampedEdge(false, Time(begin + 1.0 + ahead), "", Time(begin + 1.0), "sequencer");
+    Feed(&stream, begin + 1.0, begin + 2.0);
+  }
+  const std::vector<Episode> episodes = stream.TakeEpisodes();
+  ASSERT_EQ(episodes.size(), 3U);
+  for (const Episode& episode : episodes) EXPECT_EQ(episode.force.size(), 100);
+  EXPECT_GT(stream.Summary().distrusted_edges, 0);
+}
+
 TEST(WrenchStream, StampedEdgesThatATransportDelaysAreExact) {
   StreamSummary summary;
   const std::vector<Episode> episodes = EarlyEdges(0.09, &summary);
@@ -293,7 +309,7 @@ TEST(WrenchStream, BoolsFirstAndStampedEdgesLaterGiveAllEpisodes) {
   for (int index = 0; index < 6; ++index) {
     const double begin = 2.0 + 2.0 * index;
     const auto edge = [&](bool open, double time) {
-      index < 3 ? stream.AddPlainEdge(open, Time(time)) : stream.AddStampedEdge(open, Time(time), "", Time(time), "s");
+      index < 3 ? stream.AddUnstampedEdge(open, Time(time)) : stream.AddStampedEdge(open, Time(time), "", Time(time), "s");
     };
     edge(true, begin);
     Feed(&stream, begin, begin + 1.0);
@@ -307,11 +323,11 @@ TEST(WrenchStream, HowOftenTimeIsLetPassMakesNoDifference) {
   const auto play = [](double step) {
     WrenchStream stream(Options());
     Feed(&stream, 1.0, 2.0);
-    stream.AddPlainEdge(true, Time(2.0));
+    stream.AddUnstampedEdge(true, Time(2.0));
     Feed(&stream, 2.0, 4.0);
     for (double time = 4.0; time < 9.0; time += step) stream.AdvanceTo(Time(time));
     Feed(&stream, 9.0, 10.0);
-    stream.AddPlainEdge(false, Time(10.0));
+    stream.AddUnstampedEdge(false, Time(10.0));
     Feed(&stream, 10.0, 10.1);
     return Only(&stream);
   };
@@ -347,7 +363,7 @@ TEST(WrenchStream, AnActionsStatusCountsWhereItChanges) {
 TEST(WrenchStream, TimeThatPassesWithoutASampleRunsOut) {
   WrenchStream stream(Options());
   Feed(&stream, 1.0, 2.0, 7200.0);
-  stream.AddPlainEdge(true, Time(2.0));
+  stream.AddUnstampedEdge(true, Time(2.0));
   Feed(&stream, 2.0, 3.0, 7200.0);
   stream.AdvanceTo(Time(4.5));
   EXPECT_EQ(Only(&stream).end_reason, EndReason::kStream);
