@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/numerics/random.h"
 #include "core/stream/wrench_signal.h"
 
 namespace contact_shapelets::core {
@@ -211,6 +212,21 @@ TEST(ContactDetector, AStreamThatBeginsInAMovingContactWaitsForFreeAir) {
   const Signal pushes = Pushes([](double time) { return time < 1.0 ? 30.0 + 20.0 * std::sin(9.0 * time) : 0.0; });
   const Changes changes = Play(&detector, pushes, 0.0, 44.0, 200.0);
   EXPECT_EQ(changes.size(), 20U);
+}
+
+TEST(ContactDetector, FindsEachPushInNoiseFarBelowItsThreshold) {
+  for (const double rate : {33.0, 200.0}) {
+    Random random(1);
+    const auto signal = [&random](double time) {
+      const double phase = std::fmod(time, 5.0);
+      return (time > 5.0 && phase < 1.5 ? 25.0 : 0.0) + random.Normal();
+    };
+    ContactDetector detector(Options());
+    const Changes changes = Play(&detector, signal, 0.0, 54.0, rate);
+    const auto contacts =
+        std::count_if(changes.begin(), changes.end(), [](const auto& change) { return change.contact; });
+    EXPECT_EQ(contacts, 10) << rate;
+  }
 }
 
 TEST(ContactDetector, WorksAtALowRate) {

@@ -242,7 +242,7 @@ TEST(EpisodeLimits, AValueThatRecursIsNotFrozen) {
   Unstamped(&segmenter, true, 0.0);
   // A sensor with a dead band of 3 N: zeros at both ends and a push between them, in steps of 1 N.
   for (int index = 0; index <= 210; ++index) {
-    const double push = 6.0 * std::sin(M_PI * index / 200.0);
+    const double push = 12.0 * std::sin(M_PI * index / 200.0);
     segmenter.AddSample({Time(0.005 * index), AlongZ(push < 3.0 ? 0.0 : std::round(push))}, Time(0.005 * index));
   }
   Unstamped(&segmenter, false, 1.0);

@@ -309,7 +309,8 @@ TEST(WrenchStream, BoolsFirstAndStampedEdgesLaterGiveAllEpisodes) {
   for (int index = 0; index < 6; ++index) {
     const double begin = 2.0 + 2.0 * index;
     const auto edge = [&](bool open, double time) {
-      index < 3 ? stream.AddUnstampedEdge(open, Time(time)) : stream.AddStampedEdge(open, Time(time), "", Time(time), "s");
+      index < 3 ? stream.AddUnstampedEdge(open, Time(time))
+                : stream.AddStampedEdge(open, Time(time), "", Time(time), "s");
     };
     edge(true, begin);
     Feed(&stream, begin, begin + 1.0);
