@@ -45,8 +45,8 @@ Found FindChanges(const WrenchRecording& recording, const Arguments& arguments) 
   options.window = window;
   core::StreamingClasp clasp(options);
   Found found;
-  for (const double value : force) {
-    for (const core::ChangePoint& point : clasp.Append(value)) found.points.push_back(point);
+  for (Eigen::Index index = 0; index < force.size(); ++index) {
+    for (const core::ChangePoint& point : clasp.Append(force[index])) found.points.push_back(point);
   }
   for (const core::ChangePoint& point : clasp.Flush()) found.points.push_back(point);
   found.window = clasp.window() * recording.sample_period;

@@ -28,7 +28,7 @@ Eigen::VectorXd BlockMeans(const Eigen::Ref<const Eigen::VectorXd>& series, int 
 /// The change points of a series whose values are well, counted in its samples.
 std::vector<ChangePoint> SplitRecursively(const Eigen::VectorXd& series, int window, const ClaspOptions& options) {
   Subsequences subsequences(window);
-  for (const double sample : series) subsequences.Append(sample);
+  for (Eigen::Index index = 0; index < series.size(); ++index) subsequences.Append(series[index]);
   const int margin = options.shortest_segment * window;
   std::vector<std::pair<int, int>> segments = {{0, static_cast<int>(series.size())}};
   std::vector<ChangePoint> points;

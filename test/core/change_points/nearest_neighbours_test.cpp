@@ -14,7 +14,7 @@ namespace {
 
 Subsequences AllOf(const Eigen::VectorXd& series, int window) {
   Subsequences subsequences(window);
-  for (const double sample : series) subsequences.Append(sample);
+  for (Eigen::Index index = 0; index < series.size(); ++index) subsequences.Append(series[index]);
   return subsequences;
 }
 

@@ -15,7 +15,7 @@ namespace contact_shapelets::core {
 /// White noise of standard deviation 1.
 inline Eigen::VectorXd Noise(int samples, Random* random) {
   Eigen::VectorXd noise(samples);
-  for (double& value : noise) value = random->Normal();
+  for (Eigen::Index index = 0; index < noise.size(); ++index) noise[index] = random->Normal();
   return noise;
 }
 

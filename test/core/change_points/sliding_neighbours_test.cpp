@@ -16,13 +16,13 @@ constexpr int kWindow = 9;
 
 SlidingNeighbours After(const Eigen::VectorXd& series, int sliding_window) {
   SlidingNeighbours neighbours(kWindow, 3, sliding_window);
-  for (const double sample : series) neighbours.Append(sample);
+  for (Eigen::Index index = 0; index < series.size(); ++index) neighbours.Append(series[index]);
   return neighbours;
 }
 
 std::vector<std::vector<int>> Offline(const Eigen::VectorXd& series) {
   Subsequences subsequences(kWindow);
-  for (const double sample : series) subsequences.Append(sample);
+  for (Eigen::Index index = 0; index < series.size(); ++index) subsequences.Append(series[index]);
   const NeighbourTable table = FindNearestNeighbours(subsequences, 0, subsequences.size(), 3);
   std::vector<std::vector<int>> all;
   for (int i = 0; i < table.size(); ++i) all.push_back(table.Neighbours(i));
@@ -91,7 +91,7 @@ TEST(SlidingNeighbours, FindNewSamplesAfterForgetting) {
   const Eigen::VectorXd second = Noise(300, &random);
   SlidingNeighbours sliding = After(first, 1000);
   sliding.Forget(400 - kWindow + 1);  // what remains is shorter than a subsequence
-  for (const double sample : second) sliding.Append(sample);
+  for (Eigen::Index index = 0; index < second.size(); ++index) sliding.Append(second[index]);
   EXPECT_TRUE(AreNearest(sliding.Neighbours(), Concatenated({first.tail(kWindow - 1), second})));
   EXPECT_EQ(CountMissing(sliding.Neighbours()), 0);
 }

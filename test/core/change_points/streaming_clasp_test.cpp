@@ -24,9 +24,9 @@ Report Play(const Eigen::VectorXd& series, const StreamingClaspOptions& options)
     report.points.insert(report.points.end(), found.begin(), found.end());
     report.at.insert(report.at.end(), found.size(), taken);
   };
-  for (const double sample : series) {
+  for (Eigen::Index index = 0; index < series.size(); ++index) {
     ++taken;
-    note(clasp.Append(sample));
+    note(clasp.Append(series[index]));
   }
   note(clasp.Flush());
   report.window = clasp.window();
