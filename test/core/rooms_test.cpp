@@ -38,9 +38,10 @@ std::vector<Include> IncludesIn(const std::string& folder) {
 /// Returns the height of each room. A file may include from lower rooms and from its own.
 const std::map<std::string, int>& Heights() {
   static const std::map<std::string, int> heights{
-      {"core/numerics", 0}, {"core/change_points", 1}, {"core/stream", 1}, {"core/matching", 1}, {"core/clustering", 1},
-      {"core/learning", 2}, {"core/model", 3},         {"evaluation", 4},  {"ros/messages", 5},  {"ros/adapters", 6},
-      {"ros/bags", 6},      {"ros/parameters", 7},     {"ros/nodes", 8},   {"nodes", 9},         {"cli", 9},
+      {"core/numerics", 0},   {"core/change_points", 1}, {"core/stream", 1},  {"core/matching", 1},
+      {"core/clustering", 1}, {"core/learning", 2},      {"core/model", 3},   {"core/drift", 4},
+      {"evaluation", 4},      {"ros/messages", 5},       {"ros/adapters", 6}, {"ros/bags", 6},
+      {"ros/parameters", 7},  {"ros/nodes", 8},          {"nodes", 9},        {"cli", 9},
   };
   return heights;
 }
