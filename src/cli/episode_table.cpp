@@ -3,17 +3,11 @@
 #include <iomanip>
 #include <stdexcept>
 
+#include "cli/text.h"
 #include "core/numerics/parallel.h"
 
 namespace contact_shapelets::cli {
 namespace {
-
-std::string Quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
-}
 
 /// Returns a time with all nine decimals. A double at today's date has fewer.
 std::string ExactSeconds(core::Nanoseconds time) {
@@ -54,9 +48,9 @@ void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const core::Episode& episode = episodes[index];
     const core::Diagnosis& diagnosis = results[index].diagnosis;
-    *file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
-          << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
-          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
+    *file << CsvField(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
+          << episode.force.size() << ',' << CsvField(episode.outcome) << ',' << diagnosis.cluster << ','
+          << CsvField(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
     for (Eigen::Index k = 0; k < shapelets; ++k) *file << ',' << results[index].features.distances[k];
     *file << '\n';
   }

@@ -11,6 +11,7 @@
 
 #include "cli/classify_command.h"
 #include "cli/command.h"
+#include "cli/drift_command.h"
 #include "cli/evaluate_command.h"
 #include "cli/inspect_command.h"
 #include "cli/report_command.h"
@@ -80,7 +81,8 @@ int main(int argc, char** argv) {
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
                             contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
-                            contact_shapelets::cli::ReportCommand(), contact_shapelets::cli::SegmentCommand()},
+                            contact_shapelets::cli::ReportCommand(), contact_shapelets::cli::SegmentCommand(),
+                            contact_shapelets::cli::DriftCommand()},
                            {argv + 1, argv + argc});
     bag_errors.Print();
     std::cout.flush();

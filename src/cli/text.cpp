@@ -33,6 +33,13 @@ std::string CountsText(const std::map<std::string, int>& counts) {
   return Joined(parts, ", ");
 }
 
+std::string CsvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
 std::string DateText(core::Nanoseconds time) {
   const std::time_t seconds = static_cast<std::time_t>(time / 1'000'000'000);
   std::tm parts{};

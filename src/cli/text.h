@@ -21,6 +21,8 @@ std::string Padded(const std::string& text, std::size_t width);
 std::string Joined(const std::vector<std::string>& parts, const std::string& separator);
 /// Returns "4 broken, 2 switched"; an empty string if there are no counts.
 std::string CountsText(const std::map<std::string, int>& counts);
+/// Returns `text` as a field of a comma-separated table: with quotes if it holds a comma, a quote or a line break.
+std::string CsvField(const std::string& text);
 /// Returns the time in UTC: "2023-11-14 22:13:20".
 std::string DateText(core::Nanoseconds time);
 /// Returns the last part of a path.

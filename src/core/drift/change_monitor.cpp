@@ -22,7 +22,7 @@ double MedianOf(const std::vector<Traits>& episodes, std::size_t trait, std::siz
   std::vector<double> values;
   values.reserve(episodes.size());
   for (std::size_t index = 0; index < episodes.size(); ++index) {
-    if (index != left_out) values.push_back(episodes[index][trait]);
+    if (index != left_out && !std::isnan(episodes[index][trait])) values.push_back(episodes[index][trait]);
   }
   return Median(std::move(values));
 }
@@ -33,9 +33,10 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 std::vector<double> Residuals(const std::map<int, std::vector<Traits>>& groups, std::size_t trait) {
   std::vector<double> residuals;
   for (const auto& [group, episodes] : groups) {
-    if (episodes.size() < 2) continue;
-    for (std::size_t index = 0; index < episodes.size(); ++index)
-      residuals.push_back(episodes[index][trait] - MedianOf(episodes, trait, index));
+    for (std::size_t index = 0; index < episodes.size(); ++index) {
+      const double residual = episodes[index][trait] - MedianOf(episodes, trait, index);
+      if (!std::isnan(residual)) residuals.push_back(residual);
+    }
   }
   return residuals;
 }
@@ -52,17 +53,20 @@ std::string NameOf(Trait trait) {
       return "standard deviation of the force";
     case Trait::kDuration:
       return "duration";
+    case Trait::kNovelty:
+      return "novelty";
   }
   return "";
 }
 
-Traits TraitsOf(const Episode& episode) {
+Traits TraitsOf(const Episode& episode, double novelty) {
   const double least = 1e-3;
   const Eigen::VectorXd force = episode.force.cast<double>();
   const double mean = force.mean();
   const double deviation = std::sqrt((force.array() - mean).square().mean());
   return {std::log(std::max(mean, least)), std::log(std::max(force.maxCoeff(), least)),
-          std::log(std::max(deviation, least)), std::log(std::max(episode.duration(), least))};
+          std::log(std::max(deviation, least)), std::log(std::max(episode.duration(), least)),
+          std::log(std::max(novelty, least))};
 }
 
 ChangeMonitor::ChangeMonitor(const std::vector<WatchedEpisode>& training, const ChangeOptions& options)
@@ -72,8 +76,6 @@ ChangeMonitor::ChangeMonitor(const std::vector<WatchedEpisode>& training, const 
                                 std::to_string(options.false_alarm_probability));
   rates_.emplace("unknown", ValueWatch({}));
   for (const WatchedEpisode& episode : training) {
-    if (!std::all_of(episode.traits.begin(), episode.traits.end(), [](double value) { return std::isfinite(value); }))
-      throw std::invalid_argument("expected traits of training episodes that are finite numbers");
     training_[episode.group].push_back(episode.traits);
     rates_.emplace(episode.event, ValueWatch({}));
   }
@@ -81,7 +83,9 @@ ChangeMonitor::ChangeMonitor(const std::vector<WatchedEpisode>& training, const 
     for (std::size_t trait = 0; trait < kTraits; ++trait) {
       medians_[group][trait] = MedianOf(episodes, trait, kNone);
       std::vector<double> values;
-      for (const Traits& traits : episodes) values.push_back(traits[trait]);
+      for (const Traits& traits : episodes) {
+        if (!std::isnan(traits[trait])) values.push_back(traits[trait]);
+      }
       groups_[group].traits.emplace_back(std::move(values));
     }
   }
@@ -103,15 +107,16 @@ void ChangeMonitor::Append(const WatchedEpisode& episode) {
 }
 
 void ChangeMonitor::Watch(std::optional<int> group, const Traits& values, Watched* watched) {
-  watched->episodes.push_back(count() - 1);
   const std::size_t watches = 2 * kTraits * (group ? groups_.size() : 1);
   for (std::size_t trait = 0; trait < kTraits; ++trait) {
+    if (std::isnan(values[trait])) continue;
     ValueWatch& watch = watched->traits[trait];
+    watched->episodes[trait].push_back(count() - 1);
     watch.Append(values[trait], random_.Uniform());
     for (const PowerMartingale* martingale : {&watch.smaller(), &watch.greater()}) {
       if (!Tells(*martingale, watches)) continue;
       const auto start = static_cast<std::size_t>(martingale->LikelyStart());
-      change_ = TraitChange(group, trait, watched->episodes[start]);
+      change_ = TraitChange(group, trait, watched->episodes[trait][start]);
     }
   }
 }
@@ -119,9 +124,8 @@ void ChangeMonitor::Watch(std::optional<int> group, const Traits& values, Watche
 void ChangeMonitor::WatchRates(const std::string& event) {
   for (auto& [name, watch] : rates_) {
     watch.Append(name == event ? 1.0 : 0.0, random_.Uniform());
-    for (const PowerMartingale* martingale : {&watch.smaller(), &watch.greater()}) {
-      if (Tells(*martingale, 2 * rates_.size())) change_ = RateChange(name, martingale->LikelyStart());
-    }
+    // One that becomes rarer makes another more frequent.
+    if (Tells(watch.greater(), rates_.size())) change_ = RateChange(name, watch.greater().LikelyStart());
   }
 }
 
@@ -143,6 +147,9 @@ Change ChangeMonitor::TraitChange(std::optional<int> group, std::size_t trait, s
     if (group && episodes_[index].group != *group) continue;
     (static_cast<std::int64_t>(index) < first ? before : since).push_back(episodes_[index].traits[trait]);
   }
+  const auto unknown = [](double value) { return std::isnan(value); };
+  before.erase(std::remove_if(before.begin(), before.end(), unknown), before.end());
+  since.erase(std::remove_if(since.begin(), since.end(), unknown), since.end());
   Change change;
   change.what = NameOf(static_cast<Trait>(trait));
   change.group = group;

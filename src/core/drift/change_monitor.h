@@ -17,16 +17,17 @@
 namespace contact_shapelets::core {
 
 /// What is watched of an episode. All are logarithms, so that a change is a factor.
-enum class Trait { kMeanForce, kGreatestForce, kForceDeviation, kDuration };
+enum class Trait { kMeanForce, kGreatestForce, kForceDeviation, kDuration, kNovelty };
 
-constexpr std::size_t kTraits = 4;
-using Traits = std::array<double, kTraits>;  ///< by Trait
+constexpr std::size_t kTraits = 5;
+using Traits = std::array<double, kTraits>;  ///< by Trait; one that is not a number is unknown and is not watched
 
 /// Returns the trait's name for people: "mean force".
 std::string NameOf(Trait trait);
 
-/// Returns the logarithms of the traits of an episode [N, s]. Forces under 1 mN count as 1 mN.
-Traits TraitsOf(const Episode& episode);
+/// Returns the logarithms of the traits of an episode [N, s]. Forces under 1 mN count as 1 mN, a novelty under 0.001 as
+/// 0.001.
+Traits TraitsOf(const Episode& episode, double novelty);
 
 /// One episode as the monitor sees it.
 struct WatchedEpisode {
@@ -40,7 +41,7 @@ struct Change {
   std::string what;          ///< "mean force" and so on, or the event whose rate changed
   bool rate = false;         ///< true if `what` is an event
   std::optional<int> group;  ///< the cluster that changed; none if all did, and for a rate
-  double before = 0.0;       ///< median before [N, s], or rate [0, 1]
+  double before = 0.0;       ///< median before [N, s], or rate [0, 1]; that of the training if nothing came before
   double since = 0.0;        ///< median since then, or rate
   std::int64_t first = 0;    ///< index of the first changed episode of those appended, from 0; an estimate
 };
@@ -59,7 +60,7 @@ class ChangeMonitor {
   /// `training` are the episodes of the training, by which new ones are judged. The monitor watches the groups and the
   /// rates of the events that they name, and that of "unknown"; it compares rates among new episodes alone, because
   /// what is trained on is seldom a fair sample.
-  /// \throws std::invalid_argument if `false_alarm_probability` is not in (0, 1) or a trait is not finite.
+  /// \throws std::invalid_argument if `false_alarm_probability` is not in (0, 1).
   ChangeMonitor(const std::vector<WatchedEpisode>& training, const ChangeOptions& options);
 
   /// Takes the next episode. One of a group that the training lacks counts for the rates of events alone.
@@ -76,8 +77,8 @@ class ChangeMonitor {
  private:
   /// The values of one group, or of all.
   struct Watched {
-    std::vector<ValueWatch> traits;      ///< by Trait
-    std::vector<std::int64_t> episodes;  ///< index of each episode that was appended
+    std::vector<ValueWatch> traits;                           ///< by Trait
+    std::array<std::vector<std::int64_t>, kTraits> episodes;  ///< by Trait: index of each episode that was appended
   };
 
   /// Gives the values to the watches of `watched`, and tells a change.
