@@ -3,6 +3,7 @@
 #include <std_msgs/String.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/messages/conversions.h"
@@ -20,6 +21,10 @@ core::Nanoseconds EndOf(const Episode& message) {
   const double duration = message.sample_period * static_cast<double>(message.force.size());
   const bool sound = duration >= 0.0 && duration <= kLongest;
   return ToNanoseconds(message.header.stamp) + (sound ? core::FromSeconds(duration) : 0);
+}
+
+std::string ChangeText(const core::RunChange& change) {
+  return "since about episode " + change.episode + " " + change.text;
 }
 
 }  // namespace
@@ -65,12 +70,29 @@ void ClassifierNode::ReadParameters() {
 void ClassifierNode::LoadModelFile() {
   if (options_.model.empty()) return;
   try {
-    classifier_ = std::make_unique<core::Classifier>(LoadModel(options_.model));
+    Use(LoadModel(options_.model));
     ROS_INFO("Loaded model %s from %s", classifier_->model().id.c_str(), options_.model.c_str());
   } catch (const std::exception& error) {
     model_fault_ = OneLine(error.what());
     ROS_ERROR("%s", model_fault_.c_str());
   }
+}
+
+void ClassifierNode::Use(core::Model model) {
+  classifier_ = std::make_unique<core::Classifier>(std::move(model));
+  monitor_.reset();
+  if (options_.change_reference == 0) return;
+  core::ChangeOptions change;
+  change.false_alarm_probability = options_.change_false_alarms;
+  monitor_.emplace(options_.change_reference, change);
+}
+
+void ClassifierNode::WatchForChange(const core::Episode& episode, const core::Diagnosis& diagnosis) {
+  // Half an episode has another duration and other forces.
+  if (!monitor_ || !episode.complete) return;
+  const bool told = monitor_->change().has_value();
+  monitor_->Append(episode, diagnosis, classifier_->model());
+  if (!told && monitor_->change()) ROS_WARN("%s", ChangeText(*monitor_->change()).c_str());
 }
 
 void ClassifierNode::OnModel(const ShapeletModel& message) {
@@ -84,7 +106,7 @@ void ClassifierNode::OnModel(const ShapeletModel& message) {
     return;
   }
   try {
-    classifier_ = std::make_unique<core::Classifier>(FromMessage(message));
+    Use(FromMessage(message));
     model_fault_.clear();
     ROS_INFO("Took model %s from the topic", message.model_id.c_str());
   } catch (const std::exception& error) {
@@ -138,6 +160,7 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
     features_publisher_.publish(FeaturesMessage(episode, model, result.features));
     ++diagnosed_;
     episode_fault_.clear();
+    WatchForChange(episode, result.diagnosis);
   } catch (const std::exception& error) {
     ++refused_;
     episode_fault_ = "episode " + message.episode_id + " is not diagnosed: " + OneLine(error.what());
@@ -185,6 +208,8 @@ void ClassifierNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status)
     status.summary(DiagnosticStatus::ERROR, model_fault_.empty() ? "no model yet" : model_fault_);
   } else if (!model_fault_.empty() || !episode_fault_.empty()) {
     status.summary(DiagnosticStatus::WARN, model_fault_.empty() ? episode_fault_ : model_fault_);
+  } else if (monitor_ && monitor_->change()) {
+    status.summary(DiagnosticStatus::WARN, ChangeText(*monitor_->change()));
   } else {
     status.summary(DiagnosticStatus::OK, "model in use");
   }

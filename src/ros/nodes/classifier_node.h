@@ -7,9 +7,11 @@
 #include <ros/ros.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "contact_shapelets/core/classifier.h"
+#include "core/drift/run_monitor.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets {
@@ -25,6 +27,8 @@ class ClassifierNode {
  private:
   void ReadParameters();
   void LoadModelFile();
+  void Use(core::Model model);
+  void WatchForChange(const core::Episode& episode, const core::Diagnosis& diagnosis);
   void OnModel(const ShapeletModel& message);
   void TakeNames(const ShapeletModel& message);
   void OnEpisode(const Episode& message);
@@ -39,6 +43,7 @@ class ClassifierNode {
   ClassifierOptions options_;
   core::FeatureMemory feature_memory_;
   std::unique_ptr<core::Classifier> classifier_;  ///< null until there is a model
+  std::optional<core::RunMonitor> monitor_;       ///< of the episodes since the model came into use
   std::string last_episode_;                      ///< id of the last episode that ended
   core::Nanoseconds last_end_ = 0;                ///< when that episode ended
   std::string parameter_faults_;

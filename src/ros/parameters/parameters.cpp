@@ -178,6 +178,8 @@ std::vector<std::string> ParameterReader::Unset() const {
 std::string ClassifierOptions::Faults() const {
   std::ostringstream faults;
   core::CheckRange("early_minimum", early_minimum, {0, 1}, &faults);
+  if (change_reference != 0) core::CheckRange("change_reference", change_reference, {10, 100'000}, &faults);
+  core::CheckRange("change_false_alarms", change_false_alarms, {0, 1, true, true}, &faults);
   return faults.str();
 }
 
@@ -247,6 +249,8 @@ ClassifierOptions ReadClassifierOptions(ParameterReader* reader) {
   reader->Read(parameters::kModel, &options.model);
   reader->Read(parameters::kEarly, &options.early);
   reader->Read(parameters::kEarlyMinimum, &options.early_minimum);
+  reader->Read(parameters::kChangeReference, &options.change_reference);
+  reader->Read(parameters::kChangeFalseAlarms, &options.change_false_alarms);
   reader->AddFaults(options.Faults());
   return options;
 }

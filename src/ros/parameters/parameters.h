@@ -74,9 +74,11 @@ struct EpisodeOptions {
 
 /// Options of the classifier node.
 struct ClassifierOptions {
-  std::string model;            ///< path of a model file; if empty, the model comes from the topic
-  bool early = true;            ///< publish early diagnoses of open episodes
-  double early_minimum = 0.25;  ///< part of the typical duration before the first early diagnosis, [0, 1]
+  std::string model;                  ///< path of a model file; if empty, the model comes from the topic
+  bool early = true;                  ///< publish early diagnoses of open episodes
+  double early_minimum = 0.25;        ///< part of the typical duration before the first early diagnosis, [0, 1]
+  int change_reference = 50;          ///< first episodes, which later ones are compared with, [10, 100000]; 0: none are
+  double change_false_alarms = 0.05;  ///< probability of ever warning of a change where there is none, (0, 1)
 
   /// Returns one line for each parameter that is out of range; an empty string if all are valid.
   std::string Faults() const;

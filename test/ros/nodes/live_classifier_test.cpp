@@ -290,6 +290,26 @@ TEST(Classifier, RefusesABadEpisodeAndRecovers) {
   EXPECT_TRUE(diagnostics.WaitFor("named/classifier_node", DiagnosticStatus::OK, "model in use"));
 }
 
+TEST(Classifier, WarnsThatForcesChangedAndSinceWhen) {
+  RunningClassifier node("changing");
+  ASSERT_TRUE(node.WaitForConnections());
+  Diagnostics diagnostics;
+  const Episode first = AnEpisode();
+  Diagnosis diagnosis;
+  for (int push = 0; push < 60; ++push) {
+    Episode episode = first;
+    episode.episode_id = "push_" + std::to_string(push);
+    episode.header.stamp += ros::Duration(10.0 * push);
+    // Small differences in turn, and a spring that is weaker from push 30 on.
+    const float factor = (push < 30 ? 1.0F : 0.7F) * (1.0F + 0.01F * static_cast<float>(push % 7));
+    for (float& force : episode.force) force *= factor;
+    ASSERT_TRUE(node.Diagnosed(episode, &diagnosis)) << push;
+  }
+  EXPECT_TRUE(diagnostics.WaitFor("changing/classifier_node", DiagnosticStatus::WARN, "since about episode push_"));
+  EXPECT_TRUE(diagnostics.WaitFor("changing/classifier_node", DiagnosticStatus::WARN, "force"));
+  EXPECT_TRUE(diagnostics.WaitFor("changing/classifier_node", DiagnosticStatus::WARN, "is lower by"));
+}
+
 TEST(Classifier, StaysUpAndSaysWhichModelFileIsMissing) {
   Diagnostics diagnostics;
   EXPECT_TRUE(diagnostics.WaitFor("missing/classifier_node", DiagnosticStatus::ERROR, "/no/such/model.bag"));
