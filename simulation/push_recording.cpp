@@ -5,6 +5,26 @@
 #include <stdexcept>
 
 namespace contact_shapelets::simulation {
+namespace {
+
+void UseDefaultProgram(PushCondition* condition) {
+  const PushCondition program;
+  condition->delay = program.delay;
+  condition->approach = program.approach;
+  condition->approach_speed = program.approach_speed;
+  condition->slow_distance = program.slow_distance;
+  condition->push_speed = program.push_speed;
+  condition->acceleration = program.acceleration;
+  condition->plateau = program.plateau;
+  condition->hold = program.hold;
+  condition->force_limit = program.force_limit;
+  condition->reaction = program.reaction;
+  condition->stiffness = program.stiffness;
+  condition->rotational_stiffness = program.rotational_stiffness;
+  condition->damping_ratio = program.damping_ratio;
+}
+
+}  // namespace
 
 PushRecording RecordPush(const PushCondition& condition, double duration) {
   SimulatedCell cell(condition);
@@ -20,10 +40,13 @@ PushRecording RecordPush(const PushCondition& condition, double duration) {
   return recording;
 }
 
-PushRecording RecordOutcome(Outcome outcome, double duration, core::Random* random) {
+PushRecording RecordOutcome(Outcome outcome, double duration, core::Random* random, const Variation& variation) {
   constexpr int kDraws = 100;
   for (int draw = 0; draw < kDraws; ++draw) {
-    PushRecording recording = RecordPush(SamplePushCondition(outcome, random), duration);
+    PushCondition condition = SamplePushCondition(outcome, random);
+    if (variation.one_program) UseDefaultProgram(&condition);
+    condition.lever_force *= variation.spring;
+    PushRecording recording = RecordPush(condition, duration);
     if (recording.outcome == outcome) return recording;
   }
   throw std::runtime_error("none of " + std::to_string(kDraws) + " pushes had the outcome " + NameOf(outcome));

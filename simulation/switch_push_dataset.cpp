@@ -36,6 +36,7 @@ struct Arguments {
   int samples = 433;
   int threads = 0;
   double raw_rate = 200.0;
+  Variation variation;
   std::string out = ".";
 
   double Duration() const { return samples * core::SegmentationOptions{}.sample_period; }
@@ -48,6 +49,8 @@ struct Arguments {
     }
     if (samples < 400 || samples > 10000) throw std::invalid_argument("--samples must be from 400 to 10000");
     if (!(raw_rate >= 30.0 && raw_rate <= 1000.0)) throw std::invalid_argument("--raw-rate must be from 30 to 1000");
+    if (!(variation.spring >= 0.1 && variation.spring <= 10.0))
+      throw std::invalid_argument("--spring must be from 0.1 to 10");
     if (!std::filesystem::is_directory(out)) throw std::invalid_argument("--out: there is no folder " + out);
   }
 };
@@ -66,7 +69,8 @@ Outcome OutcomeOf(Set set, int index) {
 /// Returns the episode that the episode node would make of a push.
 core::Episode MakeEpisode(const Arguments& arguments, Set set, int index) {
   core::Random random = RandomOf(arguments, set, index);
-  const PushRecording recording = RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random);
+  const PushRecording recording =
+      RecordOutcome(OutcomeOf(set, index), arguments.Duration() + kEdgeMargin, &random, arguments.variation);
   const core::Nanoseconds start = kEpoch + core::FromSeconds(10.0 * index);
   core::WrenchStream stream(core::SegmentationOptions{});
   stream.set_frame_id(kWrenchFrame);
@@ -126,7 +130,7 @@ class RawWriter {
  private:
   PushCondition ConditionOf(int index) const {
     core::Random random = RandomOf(arguments_, Set::kRaw, index);
-    return RecordOutcome(OutcomeOf(Set::kRaw, index), arguments_.Duration(), &random).condition;
+    return RecordOutcome(OutcomeOf(Set::kRaw, index), arguments_.Duration(), &random, arguments_.variation).condition;
   }
 
   void Run(SimulatedCell* cell, double duration) {
@@ -180,9 +184,11 @@ int main(int argc, char** argv) {
   add("novel", value(&arguments.novel), "Episodes of a bag with outcomes that the other bags do not have");
   add("samples", value(&arguments.samples), "Samples of an episode, 400 to 10000");
   add("raw-rate", value(&arguments.raw_rate), "[Hz] of the raw bag's wrench, 30 to 1000");
+  add("spring", value(&arguments.variation.spring), "Factor on the force of the lever's spring, 0.1 to 10");
+  add("one-program", po::bool_switch(&arguments.variation.one_program), "All pushes have the same program");
   add("threads", value(&arguments.threads), "Threads; 0: as many as the machine has");
   add("out", value(&arguments.out), "The folder to write to");
-  add("help,h", "Prints this");
+  add("help,h", "Prints this help");
   try {
     po::variables_map values;
     po::store(po::parse_command_line(argc, argv, options), values);

@@ -139,22 +139,30 @@ bool ChangeMonitor::Tells(const PowerMartingale& martingale, std::size_t watches
 Change ChangeMonitor::TraitChange(std::optional<int> group, std::size_t trait, std::int64_t first) const {
   std::vector<double> before;
   std::vector<double> since;
+  // Counts from the median of the episode's group, because groups may be mixed in other shares than before.
+  const auto take = [&](int of, const Traits& traits, std::vector<double>* values) {
+    const auto median = medians_.find(of);
+    if (median == medians_.end() || (group && of != *group)) return;
+    const double residual = traits[trait] - (group ? 0.0 : median->second[trait]);
+    if (!std::isnan(residual)) values->push_back(residual);
+  };
+  std::vector<double> level;
   for (const auto& [of, episodes] : training_) {
-    if (group && of != *group) continue;
-    for (const Traits& traits : episodes) before.push_back(traits[trait]);
+    for (const Traits& traits : episodes) {
+      take(of, traits, &before);
+      if (!group && !std::isnan(traits[trait])) level.push_back(traits[trait]);
+    }
   }
   for (std::size_t index = 0; index < episodes_.size(); ++index) {
-    if (group && episodes_[index].group != *group) continue;
-    (static_cast<std::int64_t>(index) < first ? before : since).push_back(episodes_[index].traits[trait]);
+    const bool changed = static_cast<std::int64_t>(index) >= first;
+    take(episodes_[index].group, episodes_[index].traits, changed ? &since : &before);
   }
-  const auto unknown = [](double value) { return std::isnan(value); };
-  before.erase(std::remove_if(before.begin(), before.end(), unknown), before.end());
-  since.erase(std::remove_if(since.begin(), since.end(), unknown), since.end());
+  const double base = group ? 0.0 : Median(std::move(level));
   Change change;
   change.what = NameOf(static_cast<Trait>(trait));
   change.group = group;
-  change.before = std::exp(Median(std::move(before)));
-  change.since = std::exp(Median(std::move(since)));
+  change.before = std::exp(base + Median(std::move(before)));
+  change.since = std::exp(base + Median(std::move(since)));
   change.first = first;
   return change;
 }

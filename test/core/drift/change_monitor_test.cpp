@@ -95,6 +95,23 @@ TEST(ChangeMonitor, TellsAnEventThatBecameMoreFrequent) {
   EXPECT_GT(monitor.change()->since, 0.05);
 }
 
+TEST(ChangeMonitor, TellsTheDirectionThoughTheSharesOfGroupsChangeToo) {
+  Random random(15);
+  std::vector<WatchedEpisode> training = Pushes(90, &random);
+  for (WatchedEpisode& push : training) push.traits[1] += push.group == 2 ? 1.0 : 0.0;
+  ChangeMonitor monitor(training, ChangeOptions{});
+  for (int episode = 0; episode < 400 && !monitor.change(); ++episode) {
+    WatchedEpisode push = Push(&random, 0.8);
+    // Only the group of the greatest forces comes now, and they are lower.
+    if (push.group != 2) continue;
+    push.event = "a";
+    push.traits[1] += 1.0;
+    monitor.Append(push);
+  }
+  ASSERT_TRUE(monitor.change());
+  EXPECT_LT(monitor.change()->since, monitor.change()->before);
+}
+
 TEST(ChangeMonitor, KeepsTheFirstChange) {
   Random random(9);
   ChangeMonitor monitor = Trained(100, &random);
