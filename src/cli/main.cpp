@@ -1,3 +1,4 @@
+#include <console_bridge/console.h>
 #include <ros/time.h>
 
 #include <algorithm>
@@ -73,6 +74,8 @@ int main(int argc, char** argv) {
   // `shapelets ... | head` closes the pipe early; the files that a command writes are finished all the same.
   std::signal(SIGPIPE, SIG_IGN);
   ros::Time::init();
+  // Some versions of librosbag warn of their own plugins after a write that failed.
+  console_bridge::setLogLevel(console_bridge::CONSOLE_BRIDGE_LOG_ERROR);
   BagErrors bag_errors;
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
