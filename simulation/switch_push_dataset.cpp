@@ -188,7 +188,7 @@ int main(int argc, char** argv) {
   add("one-program", po::bool_switch(&arguments.variation.one_program), "All pushes have the same program");
   add("threads", value(&arguments.threads), "Threads; 0: as many as the machine has");
   add("out", value(&arguments.out), "The folder to write to");
-  add("help,h", "Prints this help");
+  add("help,h", "Prints these options");
   try {
     po::variables_map values;
     po::store(po::parse_command_line(argc, argv, options), values);

@@ -41,7 +41,7 @@ Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results
 
 void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
               std::ostream* file) {
-  *file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
+  *file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty,complete";
   const Eigen::Index shapelets = results.empty() ? 0 : results.front().features.distances.size();
   for (Eigen::Index k = 0; k < shapelets; ++k) *file << ",d" << k;
   *file << '\n' << std::setprecision(9);
@@ -50,7 +50,8 @@ void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core
     const core::Diagnosis& diagnosis = results[index].diagnosis;
     *file << CsvField(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
           << episode.force.size() << ',' << CsvField(episode.outcome) << ',' << diagnosis.cluster << ','
-          << CsvField(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
+          << CsvField(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty << ','
+          << (episode.complete ? "true" : "false");
     for (Eigen::Index k = 0; k < shapelets; ++k) *file << ',' << results[index].features.distances[k];
     *file << '\n';
   }
