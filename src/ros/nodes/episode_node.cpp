@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "contact_shapelets/ros/model_bag.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
@@ -37,6 +38,23 @@ core::Nanoseconds ArrivalOf(const ros::Time& receipt, core::Nanoseconds otherwis
   return receipt.isZero() ? NowOr(otherwise) : ToNanoseconds(receipt);
 }
 
+/// Returns how the training episodes of the model file `path` were cut; the defaults if that is not known.
+core::SegmentationOptions SegmentationOf(const std::string& path) {
+  if (path.empty()) return {};
+  try {
+    const auto segmentation = LoadModel(AbsolutePath(path)).preparation.segmentation;
+    if (segmentation) {
+      ROS_INFO("Cutting episodes as for the model %s: segmentation %s, tare %s", path.c_str(),
+               core::NameOf(segmentation->segmentation).c_str(), core::NameOf(segmentation->tare).c_str());
+      return *segmentation;
+    }
+    ROS_INFO("%s does not say how its episodes were cut; the defaults count", path.c_str());
+  } catch (const std::exception& error) {
+    ROS_WARN("The defaults say how to cut episodes, because the model cannot be read: %s", error.what());
+  }
+  return {};
+}
+
 bool IsForce(const std::vector<double>& values) {
   return values.size() == 3 && std::all_of(values.begin(), values.end(),
                                            [](double value) { return std::abs(value) <= core::kGreatestForce; });
@@ -58,7 +76,9 @@ EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHand
 
 void EpisodeNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
-  options_ = ReadEpisodeOptions(&reader);
+  std::string model;
+  reader.Read(parameters::kPreparation, &model);
+  options_ = ReadEpisodeOptions(&reader, SegmentationOf(model));
   std::vector<double> tare;
   reader.Read(kTareParameter, &tare);
   if (!tare.empty() && !IsForce(tare)) reader.AddFaults("tare_offset must be three forces [N], each below 1e6 N\n");
