@@ -8,7 +8,7 @@ scripts=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 bags=$(dirname "$scripts")/bags
 "$scripts/install_dependencies.sh"
 echo "Building (the first time takes some minutes)" >&2
-setup=$("$scripts/build.sh")
+setup=$("$scripts/build.sh") || { echo "The build ended with exit code $?, see above" >&2; exit 1; }
 output=$(dirname "$(dirname "$setup")")/demo
 mkdir -p "$output"
 

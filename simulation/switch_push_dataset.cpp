@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
   add("raw-rate", value(&arguments.raw_rate), "[Hz] of the raw bag's wrench, 30 to 1000");
   add("threads", value(&arguments.threads), "Threads; 0: as many as the machine has");
   add("out", value(&arguments.out), "The folder to write to");
-  add("help,h", "Prints this");
+  add("help,h", "Prints these options");
   try {
     po::variables_map values;
     po::store(po::parse_command_line(argc, argv, options), values);

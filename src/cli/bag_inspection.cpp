@@ -233,6 +233,10 @@ void JudgeEpisodes(const std::string& where, const EpisodesFound& found, std::ve
         "samples are missing, or the recording ended too early: let it run until after the last episode");
     add(static_cast<std::size_t>(found.dropped), " dropped", "an episode needs at least two samples");
   }
+  if (found.mode == "contact" && found.episodes.empty()) {
+    findings->push_back({core::Severity::kWarning, where + found.reason + mode,
+                         "begin the recording in free air; check contact_on, or record a trigger"});
+  }
   for (const core::Finding& finding : core::EpisodeFindingsOf(found.stream)) {
     findings->push_back({finding.severity, where + finding.text + mode, finding.remedy});
   }
@@ -264,7 +268,18 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
   }
 }
 
-void Judge(const BagReaderOptions& options, BagInspection* inspection) {
+/// Says why the bag has no wrench to inspect. `topics` are those of the wrench's type.
+core::Finding NoWrench(const std::string& wanted, const std::vector<std::string>& topics) {
+  const std::string type(kWrenchType);
+  if (topics.empty()) {
+    return {core::Severity::kWarning, "no topic of type " + type + " or " + kEpisodeType,
+            "record the driver's wrench topic (rostopic list -v names the types)"};
+  }
+  return {core::Severity::kWarning, "no topic " + wanted + " of type " + type,
+          "choose one with --wrench-topic: " + Joined(topics, ", ")};
+}
+
+void Judge(const BagReaderOptions& options, const BagTopics& topics, BagInspection* inspection) {
   std::vector<core::Finding>& findings = inspection->findings;
   if (inspection->messages == 0) findings.push_back({core::Severity::kWarning, "the bag is empty", "record again"});
   const bool model_file = HasMarker(*inspection, kModelType, nullptr) && inspection->wrenches.empty();
@@ -273,9 +288,7 @@ void Judge(const BagReaderOptions& options, BagInspection* inspection) {
   for (const EpisodesFound& found : inspection->recorded) JudgeEpisodes("", found, &findings);
   if (!inspection->recorded.empty()) return;
   if (inspection->wrenches.empty()) {
-    findings.push_back({core::Severity::kWarning,
-                        "no topic of type " + std::string(kWrenchType) + " or " + kEpisodeType,
-                        "record the driver's wrench topic (rostopic list -v names the types)"});
+    findings.push_back(NoWrench(options.wrench_topic, topics.OfType(kWrenchType)));
     return;
   }
   const std::vector<EpisodesFound>& found = inspection->wrenches.front().found;
@@ -333,7 +346,7 @@ BagInspection InspectBag(const std::string& path, const BagReaderOptions& option
   }
   ReadModel(path, &inspection);
   FindAllEpisodes(path, options, &inspection);
-  Judge(options, &inspection);
+  Judge(options, BagTopics(bag), &inspection);
   return inspection;
 }
 

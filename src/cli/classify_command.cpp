@@ -74,18 +74,21 @@ void PrintEpisodes(const std::vector<core::Episode>& episodes, const std::vector
   std::size_t id_width = 10;
   std::size_t event_width = 5;
   bool outcomes = false;
+  bool all_complete = true;
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     id_width = std::max(id_width, episodes[index].id.size());
     event_width = std::max(event_width, results[index].diagnosis.event.size());
+    all_complete = all_complete && episodes[index].complete;
     outcomes = outcomes || !episodes[index].outcome.empty();
   }
-  std::printf("%s  %s  confidence  novelty  duration%s\n", Padded("episode_id", id_width).c_str(),
-              Padded("event", event_width).c_str(), outcomes ? "  outcome" : "");
+  std::printf("%s  %s  confidence  novelty  duration%s%s\n", Padded("episode_id", id_width).c_str(),
+              Padded("event", event_width).c_str(), all_complete ? "" : "  complete", outcomes ? "  outcome" : "");
   for (std::size_t index = 0; index < episodes.size(); ++index) {
     const core::Diagnosis& diagnosis = results[index].diagnosis;
-    std::printf("%s  %s  %10.2f  %7.2f  %6.2f s%s%s\n", Padded(episodes[index].id, id_width).c_str(),
+    const char* const complete = all_complete ? "" : episodes[index].complete ? "  yes     " : "  no      ";
+    std::printf("%s  %s  %10.2f  %7.2f  %6.2f s%s%s%s\n", Padded(episodes[index].id, id_width).c_str(),
                 Padded(diagnosis.event, event_width).c_str(), diagnosis.confidence, diagnosis.novelty,
-                episodes[index].duration(), episodes[index].outcome.empty() ? "" : "  ",
+                episodes[index].duration(), complete, episodes[index].outcome.empty() ? "" : "  ",
                 episodes[index].outcome.c_str());
   }
 }

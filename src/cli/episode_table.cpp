@@ -39,7 +39,7 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
 
 void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
               std::ostream* file) {
-  *file << kTableStart;
+  *file << kTableStart << ",complete";
   const Eigen::Index shapelets = results.empty() ? 0 : results.front().features.distances.size();
   for (Eigen::Index k = 0; k < shapelets; ++k) *file << ",d" << k;
   *file << '\n' << std::setprecision(9);
@@ -48,7 +48,8 @@ void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core
     const core::Diagnosis& diagnosis = results[index].diagnosis;
     *file << Quoted(episode.id) << ',' << ExactSeconds(episode.start) << ',' << episode.duration() << ','
           << episode.force.size() << ',' << Quoted(episode.outcome) << ',' << diagnosis.cluster << ','
-          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty;
+          << Quoted(diagnosis.event) << ',' << diagnosis.confidence << ',' << diagnosis.novelty << ','
+          << (episode.complete ? "true" : "false");
     for (Eigen::Index k = 0; k < shapelets; ++k) *file << ',' << results[index].features.distances[k];
     *file << '\n';
   }

@@ -101,6 +101,23 @@ TEST(InspectTest, SecondWrenchTopicIsAFindingUnlessOneIsChosen) {
   EXPECT_TRUE(Contains(chosen.out, "findings: none")) << chosen.out;
 }
 
+TEST(InspectTest, WrenchTopicThatTheBagLacksIsNamedWithThoseThatItHas) {
+  const TemporaryFolder folder;
+  const std::string bag = Make(folder / "made.bag", MadeBag());
+  const std::string text = RunShapelets({"inspect", bag, "--wrench-topic", "/ft_sensor"}).out;
+  EXPECT_TRUE(Contains(text, "no topic /ft_sensor of type geometry_msgs/WrenchStamped")) << text;
+  EXPECT_TRUE(Contains(text, "choose one with --wrench-topic: /wrench")) << text;
+}
+
+TEST(InspectTest, ContactThatIsNeverFoundIsAFindingIfItIsAskedFor) {
+  const TemporaryFolder folder;
+  MadeBag content;
+  content.flaw = Flaw::kFlat;
+  const std::string bag = Make(folder / "made.bag", content);
+  EXPECT_TRUE(Contains(RunShapelets({"inspect", bag, "--segmentation", "contact"}).out,
+                       "/wrench: no contact above contact_on was found in /wrench (contact)"));
+}
+
 TEST(InspectTest, UnreadableBagIsNamedAndTheOthersAreInspected) {
   const TemporaryFolder folder;
   const ProgramRun run = RunShapelets({"inspect", folder / "missing.bag", Make(folder / "made.bag", MadeBag())});

@@ -99,15 +99,27 @@ TEST_F(OutputsTest, CsvHasTheAgreedColumnsAndOneLinePerEpisode) {
   ASSERT_EQ(run.status, 0) << run.err;
   const std::vector<std::string> lines = Lines(ReadFile(csv));
   ASSERT_EQ(lines.size(), kEpisodes + 1U);
-  std::string head = "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
+  std::string head = "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty,complete";
   const std::size_t shapelets = LoadModel(model_).shapelets.size();
   for (std::size_t index = 0; index < shapelets; ++index) head += ",d" + std::to_string(index);
   EXPECT_EQ(lines.front(), head);
   const std::vector<std::string> cells = Cells(lines[1]);
-  ASSERT_EQ(cells.size(), 9 + shapelets);
+  ASSERT_EQ(cells.size(), 10 + shapelets);
   EXPECT_EQ(cells[1], "1700000000.000000000");
   EXPECT_DOUBLE_EQ(std::stod(cells[2]), 4.33);
   EXPECT_EQ(cells[3], "433");
+  EXPECT_EQ(cells[9], "true");
+}
+
+TEST_F(OutputsTest, ClassifyMarksIncompleteEpisodes) {
+  MadeBag content;
+  content.cut_off = true;
+  const std::string bag = Make(*folder_ / "cut_off.bag", content);
+  const std::string table = RunShapelets({"classify", bag, "--model", model_}).out;
+  EXPECT_NE(table.find("duration  complete  outcome"), std::string::npos) << table;
+  EXPECT_NE(table.find(" s  yes "), std::string::npos) << table;
+  EXPECT_NE(table.find(" s  no "), std::string::npos) << table;
+  EXPECT_EQ(RunShapelets({"classify", bag_, "--model", model_}).out.find("complete"), std::string::npos);
 }
 
 TEST_F(OutputsTest, ClassifyEndsWithTheRandIndexOfItsOwnTable) {

@@ -57,12 +57,15 @@ struct StreamSummary {
   double longest_frozen = 0.0;          ///< [s] longest time with one value
   double clock_offset = 0.0;            ///< [s] arrival minus stamp of the fastest messages
   double clock_drift = 0.0;             ///< [s/s] growth of the offset
+  double clock_rate = 1.0;              ///< time by the stamps in a second of arrivals, if it is no drift; else 1
   std::int64_t publisher_turns = 0;     ///< how often two publishers took turns
   EpisodeFaultCounts episode_faults{};  ///< number of episodes with each fault
   std::int64_t waiting_edges = 0;       ///< edges that wait now because no wrench has come
   std::int64_t distrusted_edges = 0;    ///< stamped edges that were placed by arrival because their clock is off
   double edge_lateness = 0.0;           ///< [s] arrival minus stamp of the last distrusted edge
   std::int64_t repeated_openings = 0;   ///< openings that came while an episode was open
+  std::int64_t lost_openings = 0;       ///< closings that came while no episode was open
+  double without_baseline = 0.0;        ///< [s] time that contact mode waits for a force that rests; 0 once it has one
   double least_force = 0.0;             ///< [N] smallest magnitude
   double greatest_force = 0.0;          ///< [N] largest magnitude
   Eigen::Vector3d least_components = Eigen::Vector3d::Zero();     ///< [N] smallest x, y and z

@@ -28,6 +28,8 @@ void ClockRelation::Restart(Nanoseconds arrival, Nanoseconds delay) {
   spread_duration_ = 0.0;
   was_early_ = false;
   last_stamp_ = arrival - delay;
+  complete_ = {};
+  steep_buckets_ = 0;
   Open(arrival, delay);
   Fit();
 }
@@ -45,6 +47,7 @@ bool ClockRelation::Add(Nanoseconds arrival, Nanoseconds delay) {
     if (delay < bucket.delay) bucket = {bucket.begin, arrival, delay};
     return false;
   }
+  FollowRate(bucket);
   const bool risen = HasRisen();
   if (risen) Keep(kRise);
   Fit();
@@ -86,6 +89,21 @@ bool ClockRelation::HasRisen() const {
     greatest = std::max(greatest, bucket.delay);
   }
   return greatest - least <= Tolerance();
+}
+
+/// A replay at another rate makes all delays grow or fall. A clock that is set moves them once.
+void ClockRelation::FollowRate(const Bucket& complete) {
+  const Bucket before = std::exchange(complete_, complete);
+  if (before.arrival == 0) return;
+  const double growth =
+      static_cast<double>(complete.delay - before.delay) / static_cast<double>(complete.arrival - before.arrival);
+  if (std::abs(growth) <= kGreatestDrift) {
+    steep_buckets_ = 0;
+    return;
+  }
+  const bool same = (growth < 0.0) == (rate_ > 1.0);
+  steep_buckets_ = same ? std::min(steep_buckets_ + 1, kSteepBuckets) : 1;
+  rate_ = 1.0 - growth;
 }
 
 void ClockRelation::Keep(std::size_t count) {

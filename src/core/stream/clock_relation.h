@@ -33,6 +33,9 @@ class ClockRelation {
   Nanoseconds spread() const { return static_cast<Nanoseconds>(spread_); }
   /// [s/s] growth of the delays: the drift of the stamps' clock.
   double drift() const { return slope_; }
+  /// Time that passes by the stamps in a second of arrivals, if it is no drift: more than 0.5 % from 1 for two seconds.
+  /// Else 1.
+  double rate() const { return steep_buckets_ >= kSteepBuckets ? rate_ : 1.0; }
 
  private:
   /// The least delay within a quarter of a second.
@@ -42,6 +45,7 @@ class ClockRelation {
     Nanoseconds delay = 0;
   };
   static constexpr std::size_t kBuckets = 40;
+  static constexpr int kSteepBuckets = 8;
 
   const Bucket& BucketAt(std::size_t index) const { return buckets_[(first_ + index) % kBuckets]; }
   Nanoseconds Tolerance() const;
@@ -49,6 +53,7 @@ class ClockRelation {
   void Open(Nanoseconds arrival, Nanoseconds delay);
   bool HasRisen() const;
   void Keep(std::size_t count);
+  void FollowRate(const Bucket& complete);
   void Fit();
 
   std::array<Bucket, kBuckets> buckets_{};  ///< oldest first from `first_` on; the last is being filled
@@ -61,6 +66,9 @@ class ClockRelation {
   double spread_duration_ = 0.0;  ///< [s] over which `spread_` is the mean
   bool was_early_ = false;        ///< the last delay was below the line
   Nanoseconds last_stamp_ = 0;
+  Bucket complete_;        ///< the last complete bucket
+  int steep_buckets_ = 0;  ///< consecutive buckets whose delays grew or fell faster than any drift
+  double rate_ = 1.0;      ///< of these
 };
 
 }  // namespace contact_shapelets::core

@@ -49,7 +49,7 @@ std::optional<ContactDetector::Change> ContactDetector::AddSample(const WrenchSa
 void ContactDetector::FollowMeans(const WrenchSample& sample) {
   if (!started_) {
     started_ = true;
-    last_time_ = quiet_since_ = moving_since_ = sample.time;
+    first_time_ = last_time_ = quiet_since_ = moving_since_ = sample.time;
     fast_mean_ = slow_mean_ = last_force_ = sample.force;
   }
   interval_ = ToSeconds(sample.time - last_time_);

@@ -40,6 +40,9 @@ class ContactDetector {
   /// baseline returns when the force comes within contact_off of it, so that letting go does not trigger either.
   void EndContact();
 
+  /// [s] time since the first sample, as long as no baseline was found; else 0.
+  double without_baseline() const { return has_baseline_ ? 0.0 : ToSeconds(last_time_ - first_time_); }
+
  private:
   void FollowMeans(const WrenchSample& sample);
   bool IsFreeAirAnew(Nanoseconds time);
@@ -52,6 +55,7 @@ class ContactDetector {
   bool crossing_ = false;  ///< the force is beyond the threshold, but not for long enough yet
   Nanoseconds crossing_since_ = 0;
   Nanoseconds crossing_arrival_ = 0;
+  Nanoseconds first_time_ = 0;
   Nanoseconds last_time_ = 0;
   double interval_ = 0.0;                ///< [s] since the last sample
   Nanoseconds quiet_since_ = 0;          ///< when the force last moved

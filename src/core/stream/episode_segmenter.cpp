@@ -96,6 +96,10 @@ void EpisodeSegmenter::AddEdge(const PlacedEdge& placed, Nanoseconds now) {
     last_opening_ = edge.arrival;
     Open(placed, now);
   } else {
+    const bool out_of_the_blue = last_closing_ != 0 && edge.arrival - last_closing_ > kRepeatedState;
+    if (!IsOpen() && out_of_the_blue && !closing_is_due_) ++lost_openings_;
+    last_closing_ = edge.arrival;
+    closing_is_due_ = false;
     Close(edge, EndReason::kTrigger, now, placed.ahead);
   }
   FinishReady(now);
@@ -262,6 +266,7 @@ void EpisodeSegmenter::Open(const PlacedEdge& placed, Nanoseconds now) {
   interval.opened = now;
   interval.opening_arrival = edge.arrival;
   interval.earliest = last_close_;
+  closing_is_due_ = false;
   edges_.push_back({true, edge.time, edge.source, interval.id, edge.arrival});
   intervals_.push_back(std::move(interval));
 }
@@ -277,6 +282,7 @@ void EpisodeSegmenter::Close(const EpisodeEdge& closing, EndReason reason, Nanos
   interval.deadline = now + ahead + FromSeconds(wait);
   interval.closing = {false, interval.close, closing.source, interval.id, closing.arrival};
   last_close_ = std::max(last_close_, std::min(closing.time, interval.close));
+  closing_is_due_ = reason == EndReason::kTimeout || reason == EndReason::kStream;
   if (!interval.awaits_stamp) edges_.push_back(interval.closing);
   if (reason != EndReason::kContact) contact_.EndContact();
 }

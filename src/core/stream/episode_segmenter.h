@@ -80,6 +80,10 @@ class EpisodeSegmenter {
   const EpisodeFaultCounts& fault_counts() const { return fault_counts_; }
   /// Number of openings that arrived while an episode was open.
   std::int64_t repeated_openings() const { return repeated_openings_; }
+  /// Number of closings that arrived while no episode was open, without those that repeat the state of the trigger.
+  std::int64_t lost_openings() const { return lost_openings_; }
+  /// [s] time that the contact mode has been without a baseline; 0 in other modes.
+  double without_baseline() const { return contact_.without_baseline(); }
 
  private:
   struct Interval {
@@ -133,7 +137,10 @@ class EpisodeSegmenter {
   Nanoseconds last_close_ = std::numeric_limits<Nanoseconds>::min();
   EpisodeFaultCounts fault_counts_{};
   std::int64_t repeated_openings_ = 0;
+  std::int64_t lost_openings_ = 0;
   Nanoseconds last_opening_ = 0;  ///< arrival of the last opening, a repeated one as well
+  Nanoseconds last_closing_ = 0;  ///< arrival of the last closing, a repeated one as well
+  bool closing_is_due_ = false;   ///< the last episode was cut before its closing came
 };
 
 }  // namespace contact_shapelets::core

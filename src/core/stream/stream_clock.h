@@ -59,6 +59,8 @@ class StreamClock {
   Nanoseconds offset() const { return last_stamp_ == 0 ? 0 : relation_.At(last_arrival_); }
   /// [s/s] drift of the driver's clock, above 0 if it is slow, below 0 if it is fast; 0 without stamps.
   double drift() const { return last_stamp_ == 0 ? 0.0 : relation_.drift(); }
+  /// Time that passes by the stamps in a second of arrivals; 1 if it passes as fast but for drift, and without stamps.
+  double rate() const { return last_stamp_ == 0 ? 1.0 : relation_.rate(); }
 
   /// Number of samples without a stamp.
   std::int64_t zero_stamps() const { return zero_stamps_; }

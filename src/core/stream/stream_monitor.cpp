@@ -69,11 +69,14 @@ void StreamMonitor::SetTotals(const StreamSummary& totals) {
   lap_.publisher_turns = totals.publisher_turns - before_.publisher_turns;
   lap_.distrusted_edges = totals.distrusted_edges - before_.distrusted_edges;
   lap_.repeated_openings = totals.repeated_openings - before_.repeated_openings;
+  lap_.lost_openings = totals.lost_openings - before_.lost_openings;
   for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault) {
     lap_.episode_faults[fault] = totals.episode_faults[fault] - before_.episode_faults[fault];
   }
   lap_.clock_offset = totals.clock_offset;
   lap_.clock_drift = totals.clock_drift;
+  lap_.clock_rate = totals.clock_rate;
+  lap_.without_baseline = totals.without_baseline;
   lap_.edge_lateness = totals.edge_lateness;
   lap_.waiting_edges = totals.waiting_edges;
 }

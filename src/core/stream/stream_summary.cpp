@@ -15,6 +15,8 @@ constexpr double kJitterPart = 0.5;
 constexpr double kOffset = 0.5;
 /// [s/s] Quartz clocks drift by less.
 constexpr double kDrift = 2e-4;
+/// [s] A force in free air rests sooner.
+constexpr double kBaselineSeconds = 5.0;
 
 /// Returns `value` with three digits, or as an integer from 1000 on instead of 7.2e+03.
 std::string Shown(double value) {
@@ -82,11 +84,19 @@ void SortByGravity(std::vector<Finding>* findings) {
                    [](const Finding& one, const Finding& other) { return one.severity > other.severity; });
 }
 
+std::string Times(std::int64_t count) { return count == 1 ? "once" : std::to_string(count) + " times"; }
+
 void FindClocks(const StreamSummary& summary, bool all_frozen, const Finder& find) {
-  find(summary.stamp_steps > 0, Text("the driver's clock was set ", summary.stamp_steps, " times"),
+  if (summary.clock_rate != 1.0) {
+    // All else that is wrong with the clocks follows from this.
+    find(true, Text("stamps pass ", summary.clock_rate, " times as fast as this machine's time"),
+         "a bag that is replayed at another rate needs /use_sim_time true and rosbag play --clock");
+    return;
+  }
+  find(summary.stamp_steps > 0, "the driver's clock was set " + Times(summary.stamp_steps),
        "synchronise it before the work starts; an episode that was open then is incomplete");
   find(summary.arrival_steps > 0,
-       Text("this machine's clock was set, or the transport became slower, ", summary.arrival_steps, " times"),
+       "this machine's clock was set, or the transport became slower, " + Times(summary.arrival_steps),
        "let chrony slew the clock, not set it, while the cell works; triggers follow within a second");
   // The age of a frozen stamp says nothing about the clocks.
   find(!all_frozen && std::abs(summary.clock_offset) > kOffset,
@@ -145,6 +155,7 @@ StreamSummary Joined(const StreamSummary& before, const StreamSummary& after) {
   joined.publisher_turns += before.publisher_turns;
   joined.distrusted_edges += before.distrusted_edges;
   joined.repeated_openings += before.repeated_openings;
+  joined.lost_openings += before.lost_openings;
   for (std::size_t fault = 0; fault < kEpisodeFaults; ++fault)
     joined.episode_faults[fault] += before.episode_faults[fault];
   joined.repeated += before.repeated;
@@ -185,7 +196,7 @@ std::vector<Finding> FindingsOf(const StreamSummary& summary) {
   find(summary.wrong_stamps > 0,
        Text(summary.wrong_stamps, " stamps ran backward, stood still or leapt ahead: arrival times are used"),
        "synchronise the controller's clock, and record one run per bag");
-  find(summary.jumps_back > 0, Text("time jumped back ", summary.jumps_back, " times"),
+  find(summary.jumps_back > 0, "time jumped back " + Times(summary.jumps_back),
        "record one run per bag, without a replay that loops");
   find(summary.publisher_turns > 1,
        Text("two publishers on one topic: they took turns ", summary.publisher_turns, " times"),
@@ -216,6 +227,11 @@ std::vector<Finding> EpisodeFindingsOf(const StreamSummary& summary) {
        "stamp episode_event by the clock of the wrench's stamps");
   find(summary.repeated_openings > 0, Text(summary.repeated_openings, " openings came while an episode was open"),
        "harmless if the sequencer repeats itself; else a closing was lost, and an episode is too long");
+  find(summary.lost_openings > 0, Text(summary.lost_openings, " closings came while no episode was open"),
+       "check the sequencer and the recorder: each closing needs an opening, or its episode is lost");
+  find(summary.without_baseline > kBaselineSeconds,
+       Text("contact: no free-air force in ", summary.without_baseline, " s, because the force never rests"),
+       "keep the arm in free air for half a second; if it never rests, use segmentation: trigger");
   return findings;
 }
 

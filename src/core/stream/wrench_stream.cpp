@@ -180,8 +180,11 @@ StreamSummary WrenchStream::Parts::Totals() const {
   totals.arrival_steps = clock.arrival_steps();
   totals.clock_offset = ToSeconds(clock.offset());
   totals.clock_drift = clock.drift();
+  totals.clock_rate = clock.rate();
   totals.episode_faults = segmenter.fault_counts();
   totals.repeated_openings = segmenter.repeated_openings();
+  totals.lost_openings = segmenter.lost_openings();
+  totals.without_baseline = segmenter.without_baseline();
   const bool can_wait = waiting.empty() || (clock.has_started() && !waiting.front().follows_jump);
   totals.waiting_edges = can_wait ? 0 : static_cast<std::int64_t>(waiting.size());
   return totals;

@@ -114,6 +114,7 @@ class Reading {
   /// A closed episode and its outcome. Ids may repeat, and the segmentation may drop closed episodes.
   struct Closing {
     std::string id;
+    core::Nanoseconds opened = 0;   ///< arrival of its opening
     core::Nanoseconds arrival = 0;  ///< when the episode was over
     std::string outcome;
   };
@@ -141,7 +142,7 @@ class Reading {
   }
 
   void TakeEpisode(core::Episode episode, core::Nanoseconds arrival) {
-    closings_.push_back({episode.id, arrival, ""});
+    closings_.push_back({episode.id, arrival, arrival, ""});
     if (episode.force.size() < 2) {
       ++contents_.dropped_episodes;
     } else {
@@ -150,12 +151,16 @@ class Reading {
   }
 
   /// Gives each outcome to the last episode that was over before it. A contact is over before `contact_hold_off` ends.
-  /// Episodes come in the order of their closings.
+  /// Episodes come in the order of their closings. If that episode has an outcome, and the next one is open, the
+  /// outcome is that of an episode whose closing was lost. It names none, because that episode is incomplete.
   void NameOutcomes() {
     for (const Outcome& outcome : outcomes_) {
       const auto later = std::find_if(closings_.begin(), closings_.end(),
                                       [&](const Closing& closing) { return closing.arrival > outcome.arrival; });
-      if (later != closings_.begin()) std::prev(later)->outcome = outcome.text;
+      if (later == closings_.begin()) continue;
+      Closing& last = *std::prev(later);
+      const bool next_is_open = later != closings_.end() && later->opened <= outcome.arrival;
+      if (last.outcome.empty() || !next_is_open) last.outcome = outcome.text;
     }
     auto closing = closings_.begin();
     for (core::Episode& episode : contents_.episodes) {
@@ -169,7 +174,11 @@ class Reading {
   void Collect() {
     if (!stream_.HasNews()) return;
     for (const core::EpisodeEdge& edge : stream_.TakeEdges()) {
-      if (!edge.open) closings_.push_back({edge.id, edge.arrival, ""});
+      if (edge.open) {
+        opened_ = edge.arrival;
+      } else {
+        closings_.push_back({edge.id, opened_, edge.arrival, ""});
+      }
     }
     for (core::Episode& episode : stream_.TakeEpisodes()) contents_.episodes.push_back(std::move(episode));
   }
@@ -179,14 +188,16 @@ class Reading {
   core::WrenchStream stream_;
   BagContents contents_;
   PublisherWatch publisher_;
+  core::Nanoseconds opened_ = 0;  ///< arrival of the last opening
   std::vector<Closing> closings_;
   std::vector<Outcome> outcomes_;
   bool has_frame_ = false;
 };
 
-std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts) {
+std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts, const core::StreamSummary& stream) {
   switch (options.segmentation.segmentation) {
     case core::SegmentationMode::kContact:
+      if (stream.without_baseline > 0.0) return "the force of " + parts.wrench + " never rests: no free air is found";
       return "no contact above contact_on was found in " + parts.wrench;
     case core::SegmentationMode::kAction:
       return parts.status.empty() ? "it has no topic of type actionlib_msgs/GoalStatusArray" : "no goal was active";
@@ -243,7 +254,8 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
     throw std::runtime_error(path + ": " + error.what());
   }
   if (contents.episodes.empty()) {
-    throw std::runtime_error(path + ": expected at least one episode, but " + WhyNoEpisode(options, parts));
+    throw std::runtime_error(path + ": expected at least one episode, but " +
+                             WhyNoEpisode(options, parts, contents.stream));
   }
   contents.preparation = PreparationOf(contents, parts, options);
   if (progress) progress(1.0);

@@ -54,6 +54,7 @@ void ClassifierNode::ReadParameters() {
   options_ = ReadClassifierOptions(&reader);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
+  model_is_relative_ = !options_.model.empty() && options_.model.front() != '/';
   options_.model = AbsolutePath(options_.model);
   if (parameter_faults_.empty()) return;
   ROS_ERROR("Defaults replace these parameters, which are out of range: %s", parameter_faults_.c_str());
@@ -69,6 +70,8 @@ void ClassifierNode::LoadModelFile() {
     ROS_INFO("Loaded model %s from %s", classifier_->model().id.c_str(), options_.model.c_str());
   } catch (const std::exception& error) {
     model_fault_ = OneLine(error.what());
+    // roslaunch starts nodes in ~/.ros.
+    if (model_is_relative_) model_fault_ += "; expected an absolute path in ~model";
     ROS_ERROR("%s", model_fault_.c_str());
   }
 }

@@ -42,8 +42,9 @@ class ClassifierNode {
   std::string last_episode_;                      ///< id of the last episode that ended
   core::Nanoseconds last_end_ = 0;                ///< when that episode ended
   std::string parameter_faults_;
-  std::string model_fault_;    ///< why there is no model, or why the node refused the last one
-  std::string episode_fault_;  ///< why the node refused the last episode; empty if it did not
+  bool model_is_relative_ = false;  ///< as the user gave it
+  std::string model_fault_;         ///< why there is no model, or why the node refused the last one
+  std::string episode_fault_;       ///< why the node refused the last episode; empty if it did not
   int diagnosed_ = 0;
   int refused_ = 0;
   int far_ = 0;  ///< number of diagnosed episodes that are far from all of the training

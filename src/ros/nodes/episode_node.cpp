@@ -1,5 +1,7 @@
 #include "ros/nodes/episode_node.h"
 
+#include <ros/master.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +11,7 @@
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
+#include "ros/messages/missing_input.h"
 #include "ros/messages/names.h"
 #include "ros/messages/text.h"
 
@@ -23,19 +26,10 @@ constexpr double kBatch = 0.004;
 constexpr int kIdleBatches = 8;
 /// [s] Diagnostics report the findings of this time, so that an old one does not stay for ever.
 constexpr std::size_t kRecent = 10;
-/// Private parameter that keeps the tare [N] over a respawn.
-constexpr char kTareParameter[] = "tare_offset";
 
-core::Nanoseconds Now() { return ToNanoseconds(ros::Time::now()); }
-
-/// Simulated time is 0 until its first message. That may arrive after the first wrenches and edges.
-core::Nanoseconds NowOr(core::Nanoseconds otherwise) {
-  const core::Nanoseconds now = Now();
-  return now > 0 ? now : otherwise;
-}
-
-core::Nanoseconds ArrivalOf(const ros::Time& receipt, core::Nanoseconds otherwise) {
-  return receipt.isZero() ? NowOr(otherwise) : ToNanoseconds(receipt);
+ClockReading ReadClocks() {
+  const std::uint64_t steady = ros::SteadyTime::now().toNSec();
+  return {ToNanoseconds(ros::Time::now()), static_cast<core::Nanoseconds>(steady)};
 }
 
 /// Returns how the training episodes of the model file `path` were cut; the defaults if that is not known.
@@ -55,9 +49,15 @@ core::SegmentationOptions SegmentationOf(const std::string& path) {
   return {};
 }
 
-bool IsForce(const std::vector<double>& values) {
-  return values.size() == 3 && std::all_of(values.begin(), values.end(),
-                                           [](double value) { return std::abs(value) <= core::kGreatestForce; });
+/// Returns the topics of the wrench's type that nodes publish.
+std::vector<std::string> WrenchTopics() {
+  ros::master::V_TopicInfo all;
+  ros::master::getTopics(all);
+  std::vector<std::string> topics;
+  for (const ros::master::TopicInfo& topic : all) {
+    if (topic.datatype == ros::message_traits::datatype<geometry_msgs::WrenchStamped>()) topics.push_back(topic.name);
+  }
+  return topics;
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHand
     : node_handle_(node_handle), private_node_handle_(private_node_handle) {
   ReadParameters();
   Advertise();
-  if (tare_) UseTare(*tare_);
+  if (const auto tare = FindKeptTare(private_node_handle_); tare && stream_) UseTare(*tare);
   if (stream_) Subscribe();
   updater_.setHardwareID("none");
   updater_.add("wrench stream", this, &EpisodeNode::Diagnose);
@@ -79,14 +79,11 @@ void EpisodeNode::ReadParameters() {
   std::string model;
   reader.Read(parameters::kPreparation, &model);
   options_ = ReadEpisodeOptions(&reader, SegmentationOf(model));
-  std::vector<double> tare;
-  reader.Read(kTareParameter, &tare);
-  if (!tare.empty() && !IsForce(tare)) reader.AddFaults("tare_offset must be three forces [N], each below 1e6 N\n");
+  reader.Skip(kTareParameter);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());
   if (parameter_faults_.empty()) {
     stream_ = std::make_unique<core::WrenchStream>(options_.segmentation);
-    if (!tare.empty()) tare_ = Eigen::Vector3d(tare[0], tare[1], tare[2]);
   } else {
     ROS_ERROR("This node cuts no episodes. Correct these parameters and start it again: %s", parameter_faults_.c_str());
   }
@@ -126,12 +123,25 @@ void EpisodeNode::Subscribe() {
 
 void EpisodeNode::Run() {
   while (node_handle_.ok()) {
+    clock_.Look(ReadClocks());
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kBatch));
     if (!stream_) continue;
     idle_batches_ = std::min(idle_batches_ + 1, kIdleBatches);
     TakeWrenches();
     if (idle_batches_ == kIdleBatches) LetTimePass();
   }
+}
+
+/// Simulated time counts as it is. It is 0 until its first message, which may come after the first wrenches and edges.
+core::Nanoseconds EpisodeNode::NowOr(core::Nanoseconds otherwise) const {
+  if (ros::Time::isSystemTime()) return clock_.Now(ReadClocks());
+  const core::Nanoseconds now = ToNanoseconds(ros::Time::now());
+  return now > 0 ? now : otherwise;
+}
+
+core::Nanoseconds EpisodeNode::ArrivalOf(const ros::Time& receipt, core::Nanoseconds otherwise) const {
+  if (receipt.isZero()) return NowOr(otherwise);
+  return ros::Time::isSystemTime() ? clock_.Of(ToNanoseconds(receipt), ReadClocks()) : ToNanoseconds(receipt);
 }
 
 void EpisodeNode::TakeWrenches() { wrench_queue_.callAvailable(); }
@@ -164,6 +174,7 @@ void EpisodeNode::LetTimePass() {
 }
 
 void EpisodeNode::OnActive(const ros::MessageEvent<std_msgs::Bool const>& event) {
+  has_edge_ = true;
   TakeWrenches();
   stream_->AddUnstampedEdge(event.getConstMessage()->data != 0, ArrivalOf(event.getReceiptTime(), last_arrival_));
   AwaitWrench();
@@ -172,6 +183,7 @@ void EpisodeNode::OnActive(const ros::MessageEvent<std_msgs::Bool const>& event)
 
 void EpisodeNode::OnEvent(const ros::MessageEvent<EpisodeEvent const>& event) {
   if (event.getPublisherName() == ros::this_node::getName()) return;
+  has_edge_ = true;
   TakeWrenches();
   const EpisodeEvent& message = *event.getConstMessage();
   stream_->AddStampedEdge(message.kind == EpisodeEvent::OPEN, ToNanoseconds(message.header.stamp), message.episode_id,
@@ -181,6 +193,7 @@ void EpisodeNode::OnEvent(const ros::MessageEvent<EpisodeEvent const>& event) {
 }
 
 void EpisodeNode::OnStatus(const ros::MessageEvent<actionlib_msgs::GoalStatusArray const>& event) {
+  has_edge_ = true;
   TakeWrenches();
   stream_->AddStatus(AnyGoalActive(*event.getConstMessage()), ArrivalOf(event.getReceiptTime(), last_arrival_));
   PublishNews();
@@ -201,6 +214,7 @@ bool EpisodeNode::OnCommand(bool open, std_srvs::Trigger::Response* response) {
   } else if (stream_->IsOpen() == open) {
     response->message = open ? "an episode is open already" : "no episode is open";
   } else {
+    has_edge_ = true;
     stream_->AddCommand(open, NowOr(last_arrival_));
     PublishNews();
     response->success = 1U;
@@ -214,8 +228,9 @@ bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
     if (!stream_) throw std::runtime_error("parameters are out of range: " + parameter_faults_);
     TakeWrenches();
     const Eigen::Vector3d offset = stream_->TareNow();
-    private_node_handle_.setParam(kTareParameter, std::vector<double>{offset.x(), offset.y(), offset.z()});
-    UseTare(offset);
+    const KeptTare tare{offset, stream_->last_wrench()};
+    KeepTare(private_node_handle_, tare);
+    UseTare(tare);
     std::ostringstream text;
     text << "offset [N]: " << offset.x() << ' ' << offset.y() << ' ' << offset.z();
     if (options_.segmentation.tare != core::TareSource::kService) text << " (not used: ~tare is not \"service\")";
@@ -227,10 +242,10 @@ bool EpisodeNode::OnTare(std_srvs::Trigger::Request& /*request*/, std_srvs::Trig
   return true;
 }
 
-void EpisodeNode::UseTare(const Eigen::Vector3d& offset) {
-  tare_ = offset;
-  stream_->SetTare(offset);
-  tare_publisher_.publish(TareMessage(offset, stream_->last_wrench(), frame_id_));
+void EpisodeNode::UseTare(const KeptTare& tare) {
+  is_tared_ = true;
+  stream_->SetTare(tare.force);
+  tare_publisher_.publish(TareMessage(tare.force, tare.stamp, frame_id_));
 }
 
 void EpisodeNode::PublishNews() {
@@ -249,6 +264,23 @@ void EpisodeNode::PublishProgress() {
   if (const auto episode = stream_->OpenEpisode()) progress_publisher_.publish(ToMessage(*episode));
 }
 
+/// Warns once of a missing wrench, and once of a missing trigger. Returns the warning as long as that is missing.
+std::string EpisodeNode::WhatIsMissing(double duration, double idle) {
+  std::string triggers;
+  if (active_subscriber_) triggers = active_subscriber_.getTopic() + " and " + event_subscriber_.getTopic();
+  if (status_subscriber_) triggers = status_subscriber_.getTopic();
+  const bool wrench = last_arrival_ != 0;
+  const std::string missing =
+      MissingInput({wrench, has_edge_, idle, duration, wrench_subscriber_.getTopic(), triggers}, WrenchTopics);
+  if (missing.empty()) return missing;
+  if (wrench) {
+    ROS_WARN_ONCE("%s", missing.c_str());
+  } else {
+    ROS_WARN_ONCE("%s", missing.c_str());
+  }
+  return missing;
+}
+
 void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (!stream_) {
     status.summary(DiagnosticStatus::ERROR, "parameters are out of range: " + parameter_faults_);
@@ -260,18 +292,25 @@ void EpisodeNode::Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) 
   const core::StreamSummary summary = stream_->Summary();
   std::vector<core::Finding> findings = core::FindingsOf(recent);
   for (core::Finding& finding : core::EpisodeFindingsOf(recent)) findings.push_back(std::move(finding));
-  const bool untared = options_.segmentation.tare == core::TareSource::kService && !tare_;
+  const bool untared = options_.segmentation.tare == core::TareSource::kService && !is_tared_;
   if (untared) findings.push_back({core::Severity::kWarning, "not tared", "call ~tare in free air"});
   const double idle = (ros::SteadyTime::now() - last_wrench_).toSec();
+  const std::string missing = WhatIsMissing(summary.duration, idle);
+  if (!missing.empty()) findings.insert(findings.begin(), {core::Severity::kWarning, missing, ""});
+  const auto error = std::find_if(findings.begin(), findings.end(), [](const core::Finding& finding) {
+    return finding.severity == core::Severity::kError;
+  });
   if (summary.samples == 0) {
-    status.summary(DiagnosticStatus::WARN, "no usable wrench yet on " + wrench_subscriber_.getTopic());
+    const std::string nothing = "no usable wrench yet on " + wrench_subscriber_.getTopic();
+    status.summary(DiagnosticStatus::WARN, missing.empty() ? nothing : missing);
   } else if (idle > options_.segmentation.stream_timeout) {
     status.summaryf(DiagnosticStatus::ERROR, "no wrench for %.1f s", idle);
   } else if (findings.empty()) {
     status.summary(DiagnosticStatus::OK, "wrench arrives");
+  } else if (error != findings.end()) {
+    status.summary(DiagnosticStatus::ERROR, error->text);
   } else {
-    const bool error = findings.front().severity == core::Severity::kError;
-    status.summary(error ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN, findings.front().text);
+    status.summary(DiagnosticStatus::WARN, findings.front().text);
   }
   for (std::size_t index = 0; index < findings.size(); ++index) {
     status.add("finding " + std::to_string(index), findings[index].text);

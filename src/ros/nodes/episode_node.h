@@ -12,12 +12,13 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "contact_shapelets/core/wrench_stream.h"
+#include "ros/messages/arrival_clock.h"
 #include "ros/messages/publisher_watch.h"
+#include "ros/nodes/kept_tare.h"
 #include "ros/parameters/parameters.h"
 
 namespace contact_shapelets {
@@ -39,6 +40,8 @@ class EpisodeNode {
   void Advertise();
   void Subscribe();
 
+  core::Nanoseconds NowOr(core::Nanoseconds otherwise) const;
+  core::Nanoseconds ArrivalOf(const ros::Time& receipt, core::Nanoseconds otherwise) const;
   void TakeWrenches();
   /// An edge gets its place once a wrench follows it: waits for that one, but no longer than for a batch.
   void AwaitWrench();
@@ -51,10 +54,11 @@ class EpisodeNode {
   bool OnTare(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool OnCommand(bool open, std_srvs::Trigger::Response* response);
 
-  void UseTare(const Eigen::Vector3d& offset);
+  void UseTare(const KeptTare& tare);
   void LetTimePass();
   void PublishNews();
   void PublishProgress();
+  std::string WhatIsMissing(double duration, double idle);
   void Diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle node_handle_;
@@ -63,8 +67,10 @@ class EpisodeNode {
   std::string parameter_faults_;
   std::unique_ptr<core::WrenchStream> stream_;  ///< null if parameters are out of range
   std::string frame_id_;
-  std::optional<Eigen::Vector3d> tare_;  ///< as the tare service measured it
+  bool is_tared_ = false;
+  bool has_edge_ = false;
   PublisherWatch publisher_;
+  ArrivalClock clock_;
   int published_episodes_ = 0;
   int idle_batches_ = 0;  ///< consecutive batches without a wrench, until time passes without one
   ros::SteadyTime last_wrench_ = ros::SteadyTime::now();

@@ -14,7 +14,7 @@ namespace contact_shapelets {
 namespace {
 
 /// [s] Longest wait for the answer of a busy node.
-constexpr double kPatience = 2.0;
+constexpr double kPatience = 5.0;
 constexpr double kBetweenLooks = 0.5;
 constexpr double kBetweenSteps = 0.01;
 
@@ -47,6 +47,11 @@ bool Answers(const std::string& uri) {
       done = client.executeCheckDone(answer);
       if (!done) ros::WallDuration(kBetweenSteps).sleep();
     }
+  }
+  if (!done && client.getfd() >= 0) {
+    ROS_WARN(
+        "%s at %s has not answered for %.0f s: it hangs or is suspended. This node takes its place, so ROS ends it",
+        ros::this_node::getName().c_str(), uri.c_str(), kPatience);
   }
   client.close();
   // A connection that was refused is done as well.

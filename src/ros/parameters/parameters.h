@@ -42,6 +42,9 @@ class ParameterReader {
   template <typename Choice>
   void Read(const std::string& name, const std::map<std::string, Choice>& choices, Choice* value);
 
+  /// Counts `name` as known. Something else reads it.
+  void Skip(const std::string& name) { read_.insert(name); }
+
   /// Adds faults that a validator found.
   void AddFaults(const std::string& faults) { faults_ << faults; }
   /// Returns all faults so far, one per line.

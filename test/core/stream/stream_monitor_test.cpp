@@ -266,7 +266,7 @@ TEST(StreamMonitor, ReportsWhatTheClockKnowsOfStamps) {
   monitor.SetTotals(totals);
   EXPECT_TRUE(Finds(monitor.Summary(), "3 samples without a stamp"));
   EXPECT_TRUE(Finds(monitor.Summary(), "4 stamps ran backward"));
-  EXPECT_TRUE(Finds(monitor.Summary(), "time jumped back 1 times"));
+  EXPECT_TRUE(Finds(monitor.Summary(), "time jumped back once"));
   EXPECT_TRUE(Finds(monitor.Summary(), "the driver's clock was set 2 times"));
   EXPECT_TRUE(Finds(monitor.Summary(), "this machine's clock was set, or the transport became slower, 5 times"));
   EXPECT_TRUE(Finds(monitor.Summary(), "stamps are 7200 s ahead of the time of arrival"));

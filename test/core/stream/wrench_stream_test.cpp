@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -368,6 +369,81 @@ TEST(WrenchStream, TimeThatPassesWithoutASampleRunsOut) {
   Feed(&stream, 2.0, 3.0, 7200.0);
   stream.AdvanceTo(Time(4.5));
   EXPECT_EQ(Only(&stream).end_reason, EndReason::kStream);
+}
+
+bool Finds(const std::vector<Finding>& findings, const std::string& part) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const Finding& finding) { return finding.text.find(part) != std::string::npos; });
+}
+
+TEST(WrenchStream, AReplayAtAnotherRateIsNamedAndNoClockIsBlamed) {
+  for (const double rate : {0.5, 0.9, 1.1, 2.0, 4.0}) {
+    WrenchStream stream(Options());
+    for (int index = 0; index < 3000; ++index) {
+      stream.AddWrench(Time(100.0 + 0.01 * index), Time(5000.0 + 0.01 * index / rate), Noisy(0.0, index));
+    }
+    EXPECT_NEAR(stream.Summary().clock_rate, rate, 0.01 * rate);
+    EXPECT_TRUE(Finds(FindingsOf(stream.Summary()), "times as fast as this machine's time")) << rate;
+    EXPECT_FALSE(Finds(FindingsOf(stream.Summary()), "was set")) << rate;
+    EXPECT_FALSE(Finds(FindingsOf(stream.Summary()), "ppm")) << rate;
+  }
+}
+
+TEST(WrenchStream, ClocksThatDriftOrAreSetAreNoReplayAtAnotherRate) {
+  for (const double step : {-0.8, 0.0, 0.8}) {
+    WrenchStream stream(Options());
+    for (int index = 0; index < 3000; ++index) {
+      const double time = 0.01 * index;
+      const double arrival = 5000.0 + 1.0005 * time + (time > 15.0 ? step : 0.0) + 0.02 * (index % 3);
+      stream.AddWrench(Time(100.0 + time), Time(arrival), Noisy(0.0, index));
+      EXPECT_EQ(stream.Summary().clock_rate, 1.0) << step << " at " << time;
+    }
+  }
+}
+
+/// Adds Bools for two pushes of one second, which begin at 11 s and 15 s, without the edge at `lost` [s].
+StreamSummary TwoPushesWithout(double lost) {
+  WrenchStream stream(Options());
+  Feed(&stream, 10.0, 11.0);
+  for (const double edge : {11.0, 12.0, 15.0, 16.0}) {
+    if (edge != lost) stream.AddUnstampedEdge(edge == 11.0 || edge == 15.0, Time(edge));
+    // A sequencer may repeat its state.
+    if (edge == 12.0) stream.AddUnstampedEdge(false, Time(12.5));
+    Feed(&stream, edge, edge == 12.0 ? 15.0 : edge + 1.0);
+  }
+  return stream.Summary();
+}
+
+TEST(WrenchStream, ALostOpeningIsAFinding) {
+  EXPECT_TRUE(Finds(EpisodeFindingsOf(TwoPushesWithout(15.0)), "closings came while no episode was open"));
+  EXPECT_EQ(TwoPushesWithout(0.0).lost_openings, 0);
+}
+
+TEST(WrenchStream, TheClosingOfAnEpisodeThatWasCutIsNoLostOpening) {
+  SegmentationOptions options = Options();
+  options.max_duration = 2.0;
+  WrenchStream stream(options);
+  Feed(&stream, 10.0, 11.0);
+  for (const double begin : {11.0, 17.0}) {
+    stream.AddUnstampedEdge(true, Time(begin));
+    Feed(&stream, begin, begin + 5.0);
+    stream.AddUnstampedEdge(false, Time(begin + 5.0));
+    Feed(&stream, begin + 5.0, begin + 6.0);
+  }
+  EXPECT_EQ(stream.Summary().lost_openings, 0);
+}
+
+TEST(WrenchStream, ContactThatNeverFindsAFreeAirForceIsAFinding) {
+  SegmentationOptions options = Options();
+  options.segmentation = SegmentationMode::kContact;
+  for (const double amplitude : {0.0, 30.0}) {
+    WrenchStream stream(options);
+    for (int index = 0; index < 1000; ++index) {
+      const double time = 0.01 * index;
+      stream.AddWrench(Time(10.0 + time), Time(10.0 + time), Noisy(amplitude * std::sin(6.0 * time), index));
+    }
+    EXPECT_EQ(Finds(EpisodeFindingsOf(stream.Summary()), "no free-air force"), amplitude > 0.0);
+  }
 }
 
 TEST(WrenchStream, RefusesFaultyOptions) {

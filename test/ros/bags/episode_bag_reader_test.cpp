@@ -107,6 +107,54 @@ TEST_F(EpisodeBagTest, OutcomesBelongToTheirEpisodeIfAllHaveOneName) {
   EXPECT_EQ(contents.episodes[2].outcome, "outcome of 5");
 }
 
+/// Three pushes, each with an outcome. The closing of the second is lost.
+std::vector<std::string> OutcomesWithALostClosing(const std::string& path, bool stamped) {
+  {
+    BagWriter bag(path);
+    bag.Rising(0.0, 10.0);
+    for (const double begin : {1.0, 4.0, 7.0}) {
+      for (const double edge : {begin, begin + 1.0}) {
+        if (edge == 5.0) continue;
+        if (stamped) {
+          bag.Event(edge + 0.002, edge, edge == begin);
+        } else {
+          bag.Active(edge, edge == begin);
+        }
+      }
+      bag.Outcome(begin + 1.5, "outcome of " + std::to_string(std::lround(begin)));
+    }
+  }
+  std::vector<std::string> outcomes;
+  for (const core::Episode& episode : ReadEpisodes(path, Options()).episodes) {
+    outcomes.push_back((episode.complete ? "" : "incomplete: ") + episode.outcome);
+  }
+  return outcomes;
+}
+
+TEST_F(EpisodeBagTest, TheOutcomeOfAnEpisodeWhoseClosingIsLostDoesNotReplaceThatOfTheEpisodeBefore) {
+  EXPECT_EQ(OutcomesWithALostClosing(Path("stamped.bag"), true),
+            (std::vector<std::string>{"outcome of 1", "incomplete: ", "outcome of 7"}));
+  // Without stamps the second and the third push are one episode.
+  EXPECT_EQ(OutcomesWithALostClosing(Path("plain.bag"), false),
+            (std::vector<std::string>{"outcome of 1", "incomplete: outcome of 7"}));
+}
+
+TEST_F(EpisodeBagTest, AnOutcomeThatComesAfterTheNextOpeningBelongsToTheEpisodeThatIsOver) {
+  {
+    BagWriter bag(Path("late.bag"));
+    bag.Rising(0.0, 5.0);
+    for (const double begin : {1.0, 2.5}) {
+      bag.Active(begin, true);
+      bag.Active(begin + 1.0, false);
+    }
+    bag.Outcome(3.0, "late");
+  }
+  const BagContents contents = ReadEpisodes(Path("late.bag"), Options());
+  ASSERT_EQ(contents.episodes.size(), 2U);
+  EXPECT_EQ(contents.episodes[0].outcome, "late");
+  EXPECT_EQ(contents.episodes[1].outcome, "");
+}
+
 TEST_F(EpisodeBagTest, CutsByStampsIfThereAreSomeAndIgnoresUnstampedTriggers) {
   {
     BagWriter bag(Path("pushes.bag"));

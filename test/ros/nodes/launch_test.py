@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The shipped launch files load and start, and a signal ends a training cleanly."""
 
+import contextlib
 import math
 import os
 import pathlib
@@ -27,6 +28,7 @@ from std_msgs.msg import Bool
 PACKAGE = "contact_shapelets"
 ROOT = pathlib.Path(rospkg.RosPack().get_path(PACKAGE))
 LIMIT = 60.0
+END_LIMIT = 20.0  # roslaunch itself kills its nodes after 17 s
 ARGUMENTS = {
     "record.launch": ["prefix:={folder}/recording"],
     "replay.launch": ["bag:={folder}/recording.bag", "model:={folder}/model.bag"],
@@ -39,6 +41,28 @@ DRIVERS = {
     "franka_ros": "/franka_state_controller/F_ext",
     "force_torque_sensor_controller": "/ft_sensor",
 }
+
+
+@contextlib.contextmanager
+def started(command, **options):
+    """Starts a program, and kills it at the end if it still runs: Popen itself would wait for it without limit."""
+    process = subprocess.Popen(command, start_new_session=True, **options)
+    try:
+        yield process
+    finally:
+        end(process)
+
+
+def end(process):
+    """Interrupts a program and its children. Returns its exit code, or None if it had to be killed."""
+    if process.poll() is None:
+        process.send_signal(signal.SIGINT)
+    try:
+        return process.wait(END_LIMIT)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait(END_LIMIT)
+        return None
 
 
 def load(path, arguments=()):
@@ -68,9 +92,9 @@ class Health:
                 self.first_with_samples.setdefault(node, status.message)
 
     def wait_for(self, node, part):
-        end = time.monotonic() + LIMIT
+        limit = time.monotonic() + LIMIT
         while part not in self.last.get(node, ""):
-            if time.monotonic() > end:
+            if time.monotonic() > limit:
                 return False
             time.sleep(0.02)
         return True
@@ -132,28 +156,23 @@ class LaunchFiles(unittest.TestCase):
         events = []
         subscriber = rospy.Subscriber("/event", rospy.AnyMsg, events.append)
         command = ["roslaunch", "--wait", PACKAGE, "demo.launch", "cell:=false", "speed:=20"]
-        with subprocess.Popen(command, start_new_session=True) as process:
-            try:
-                end = time.monotonic() + LIMIT
-                while not events and time.monotonic() < end:
+        try:
+            with started(command):
+                limit = time.monotonic() + LIMIT
+                while not events and time.monotonic() < limit:
                     time.sleep(0.02)
-            finally:
-                process.send_signal(signal.SIGINT)
-                process.wait(LIMIT)
-                rospy.delete_param("/use_sim_time")
+        finally:
+            rospy.delete_param("/use_sim_time")
         subscriber.unregister()
         self.assertTrue(events)
 
     def test_diagnose_starts_and_ends(self):
         health = Health()
         command = ["roslaunch", "--wait", PACKAGE, "diagnose.launch", "model:=" + rospy.get_param("/paths/model")]
-        with subprocess.Popen(command, start_new_session=True) as process:
-            try:
-                self.assertTrue(health.wait_for("classifier_node", "model in use"), health.last)
-                self.assertTrue(health.wait_for("episode_node", "no usable wrench yet"), health.last)
-            finally:
-                process.send_signal(signal.SIGINT)
-            self.assertEqual(process.wait(LIMIT), 0)
+        with started(command) as process:
+            self.assertTrue(health.wait_for("classifier_node", "model in use"), health.last)
+            self.assertTrue(health.wait_for("episode_node", "wrench yet"), health.last)
+            self.assertEqual(end(process), 0)
 
 
 class Pushes:
@@ -170,9 +189,9 @@ class Pushes:
             self.diagnoses.append(diagnosis.episode_id)
 
     def wait_for_subscribers(self):
-        end = time.monotonic() + LIMIT
+        limit = time.monotonic() + LIMIT
         while not (self.wrench.get_num_connections() and self.active.get_num_connections()):
-            if time.monotonic() > end:
+            if time.monotonic() > limit:
                 return False
             time.sleep(0.02)
         return True
@@ -192,8 +211,8 @@ class Pushes:
         self.active.publish(True)
         self.sense(0.6, 20.0)
         self.active.publish(False)
-        end = time.monotonic() + LIMIT / 4
-        while len(self.diagnoses) == before and time.monotonic() < end:
+        limit = time.monotonic() + LIMIT / 4
+        while len(self.diagnoses) == before and time.monotonic() < limit:
             self.sense(0.1, 0.0)
         return len(self.diagnoses) == before + 1
 
@@ -209,16 +228,21 @@ class Launched:
         threading.Thread(target=lambda: self.lines.extend(self.process.stdout), daemon=True).start()
 
     def wait_for(self, part):
-        end = time.monotonic() + LIMIT
+        limit = time.monotonic() + LIMIT
         while not any(part in line for line in list(self.lines)):
-            if time.monotonic() > end:
+            if time.monotonic() > limit:
                 return False
             time.sleep(0.02)
         return True
 
     def end(self):
-        self.process.send_signal(signal.SIGINT)
-        return self.process.wait(LIMIT)
+        return end(self.process)
+
+
+class Recording(unittest.TestCase):
+    def test_ends_if_the_recorder_cannot_write(self):
+        with started(["roslaunch", "--wait", PACKAGE, "record.launch", "prefix:=/no/such/folder/day"]) as process:
+            process.wait(LIMIT)
 
 
 class RecordingBesideDiagnosing(unittest.TestCase):
@@ -252,16 +276,13 @@ class Diagnostics(unittest.TestCase):
         publisher = rospy.Publisher("/fresh/wrench", WrenchStamped, queue_size=100)
         (program,) = roslib.packages.find_node(PACKAGE, "episode_node")[:1]
         wrench = WrenchStamped()
-        with subprocess.Popen([program, "__ns:=/fresh", "__name:=episode_node"]) as process:
-            try:
-                end = time.monotonic() + LIMIT
-                while not health.first_with_samples and time.monotonic() < end:
-                    wrench.header.stamp = rospy.Time.now()
-                    wrench.wrench.force.z += 0.001
-                    publisher.publish(wrench)
-                    time.sleep(0.005)
-            finally:
-                process.send_signal(signal.SIGINT)
+        with started([program, "__ns:=/fresh", "__name:=episode_node"]):
+            limit = time.monotonic() + LIMIT
+            while not health.first_with_samples and time.monotonic() < limit:
+                wrench.header.stamp = rospy.Time.now()
+                wrench.wrench.force.z += 0.001
+                publisher.publish(wrench)
+                time.sleep(0.005)
         (message,) = health.first_with_samples.values()
         self.assertNotIn("no usable sample", message)
 
@@ -276,11 +297,9 @@ class Training(unittest.TestCase):
             health = Health()
             command = [program, f"__name:={name}", "_steps:=1000000", f"_output:={output}",
                        f"_bags:={ROOT}/bags/switch_push_test.bag"]
-            with subprocess.Popen(command) as process:
-                try:
-                    self.assertTrue(health.wait_for(name, "training"), health.last)
-                finally:
-                    process.send_signal(number)
+            with started(command) as process:
+                self.assertTrue(health.wait_for(name, "training"), health.last)
+                process.send_signal(number)
                 self.assertEqual(process.wait(LIMIT), 0)
             self.assertEqual(output.read_bytes(), before)
             self.assertEqual(os.listdir(folder), ["model.bag"])

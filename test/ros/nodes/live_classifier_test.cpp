@@ -293,6 +293,7 @@ TEST(Classifier, RefusesABadEpisodeAndRecovers) {
 TEST(Classifier, StaysUpAndSaysWhichModelFileIsMissing) {
   Diagnostics diagnostics;
   EXPECT_TRUE(diagnostics.WaitFor("missing/classifier_node", DiagnosticStatus::ERROR, "/no/such/model.bag"));
+  EXPECT_TRUE(diagnostics.WaitFor("relative/classifier_node", DiagnosticStatus::ERROR, "expected an absolute path"));
 }
 
 TEST(Classifier, StaysUpAndSaysWhichModelFileIsNoBag) {

@@ -272,7 +272,19 @@ TEST_F(TareService, KeepsTheOffsetOverARespawn) {
   ASSERT_TRUE(episodes.WaitForCount(1));
   EXPECT_NEAR(episodes.messages().front().force.front(), 0.0, 0.1);
   Inbox<Tare> tares("tared/tare");
-  EXPECT_TRUE(tares.WaitForCount(1)) << "a recording that starts now needs it";
+  ASSERT_TRUE(tares.WaitForCount(1)) << "a recording that starts now needs it";
+  EXPECT_GT(tares.messages().front().header.stamp, ros::Time(1.0)) << "when it was measured";
+}
+
+TEST_F(TareService, IgnoresTheOffsetOfAnotherLaunch) {
+  Diagnostics diagnostics;
+  Sensor sensor("stale/wrench");
+  ASSERT_TRUE(sensor.WaitForSubscriber());
+  EXPECT_TRUE(diagnostics.WaitFor("stale/episode_node", [&](const DiagnosticStatus& status) {
+    sensor.Play(0.05, FreeAir);
+    return std::any_of(status.values.begin(), status.values.end(),
+                       [](const auto& entry) { return entry.value == "not tared"; });
+  }));
 }
 
 TEST(TwoPublishers, OnTheWrenchTopicAreNamed) {
@@ -305,6 +317,15 @@ TEST(BadWrench, IsDroppedAndCounted) {
   ASSERT_TRUE(episodes.WaitForCount(1));
   for (const float force : episodes.messages().front().force) EXPECT_TRUE(std::isfinite(force));
   EXPECT_TRUE(diagnostics.WaitForValue("bad/episode_node", "not finite", "2"));
+}
+
+TEST(BadWrench, ThatHasAnotherNameIsReportedWithTheTopicsOfItsType) {
+  Diagnostics diagnostics;
+  Sensor sensor("deaf/ft_sensor");
+  EXPECT_TRUE(diagnostics.WaitFor("deaf/episode_node", [](const DiagnosticStatus& status) {
+    return status.level == DiagnosticStatus::WARN && status.message.find("/deaf/wrench") != std::string::npos &&
+           status.message.find("/deaf/ft_sensor") != std::string::npos;
+  }));
 }
 
 TEST(BadWrench, ThatStopsIsReported) {
