@@ -25,6 +25,7 @@ grep -F ' warning: ' test_build.log >>warnings.log || true
 check installation "$workspace"
 check catkin_lint
 check doxygen "$workspace"
+check python_reader
 # Tests run one at a time, because a second test would slow the nodes of a rostest down beyond its limits.
 status=0
 cmake --build build -- -j1 -k run_tests >test.log 2>&1 || status=1

@@ -17,6 +17,7 @@
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/bags/bag_damage.h"
 #include "ros/bags/bag_topics.h"
+#include "ros/bags/wrench_messages.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
@@ -25,6 +26,8 @@
 namespace contact_shapelets::cli {
 namespace {
 
+/// Wrenches for each sample period below which the rate is slow: a little less than 30 Hz for 0.01 s.
+constexpr double kSlow = 0.28;
 constexpr char kWrenchType[] = "geometry_msgs/WrenchStamped";
 constexpr char kEpisodeType[] = "contact_shapelets/Episode";
 constexpr char kModelType[] = "contact_shapelets/ShapeletModel";
@@ -42,23 +45,27 @@ bool IsMarker(const std::string& topic, const std::string& type) {
 /// Follows one wrench topic.
 class WrenchFollower {
  public:
-  explicit WrenchFollower(const core::SegmentationOptions& options) : stream_(options) {}
+  WrenchFollower(const std::string& topic, const std::string& type, const BagReaderOptions& options)
+      : type_(type), wrenches_(topic, options.source), stream_(options.segmentation) {}
 
-  void Take(const geometry_msgs::WrenchStamped& wrench, core::Nanoseconds arrival) {
+  void Take(const rosbag::MessageInstance& message) {
+    if (!wrenches_.Reads(message.getTopic())) return;
+    const auto wrench = wrenches_.Read(message);
+    if (!wrench) return;
+    if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
+    const core::Nanoseconds arrival = ToNanoseconds(message.getTime());
     if (messages_++ == 0) first_arrival_ = arrival;
     last_arrival_ = arrival;
-    frames_.insert(wrench.header.frame_id);
-    stream_.AddWrench(ToNanoseconds(wrench.header.stamp), arrival, ToVector(wrench.wrench.force));
+    frames_.insert(wrench->header.frame_id);
+    stream_.AddWrench(ToNanoseconds(wrench->header.stamp), arrival, ToVector(wrench->wrench.force));
     stream_.TakeEpisodes();
     stream_.TakeEdges();
-  }
-  void SetPublisher(const boost::shared_ptr<ros::M_string>& header) {
-    if (const auto publisher = publisher_.Next(header)) stream_.SetPublisher(*publisher);
   }
 
   WrenchTopic Result(const std::string& name) const {
     WrenchTopic topic;
     topic.name = name;
+    topic.type = type_;
     topic.frames.assign(frames_.begin(), frames_.end());
     topic.messages = messages_;
     topic.received_duration = core::ToSeconds(last_arrival_ - first_arrival_);
@@ -67,6 +74,8 @@ class WrenchFollower {
   }
 
  private:
+  std::string type_;
+  WrenchMessages wrenches_;
   core::WrenchStream stream_;
   PublisherWatch publisher_;
   std::set<std::string> frames_;
@@ -97,18 +106,20 @@ class MarkerFollower {
 /// Reads a bag's messages once. Collects everything but the episodes.
 class Reading {
  public:
-  Reading(const rosbag::Bag& bag, const BagReaderOptions& options, BagInspection* inspection)
-      : options_(options), inspection_(inspection) {
+  Reading(const std::string& path, const rosbag::Bag& bag, const BagReaderOptions& options, BagInspection* inspection)
+      : path_(path), options_(options), inspection_(inspection) {
     std::map<std::string, std::uint32_t> counts;
     rosbag::View all(bag);
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
       rosbag::View view(bag, [connection](const rosbag::ConnectionInfo* other) { return other->id == connection->id; });
       counts[connection->topic] += view.size();
-      if (connection->datatype == kWrenchType) AddWrench(connection->topic);
+      AddWrench(*connection);
     }
     std::set<std::string> listed;
     for (const rosbag::ConnectionInfo* connection : all.getConnections()) {
-      if (connection->datatype == kWrenchType || !listed.insert(connection->topic).second) continue;
+      if (connection->datatype == kWrenchType || wrenches_.count(connection->topic) > 0 ||
+          !listed.insert(connection->topic).second)
+        continue;
       List(*connection, counts[connection->topic]);
     }
   }
@@ -116,10 +127,9 @@ class Reading {
   void Take(const rosbag::MessageInstance& message) {
     const auto wrench = wrenches_.find(message.getTopic());
     if (wrench != wrenches_.end()) {
-      const auto content = message.instantiate<geometry_msgs::WrenchStamped>();
-      if (!content) throw std::runtime_error(message.getTopic() + " holds " + kWrenchType + " of another version");
-      wrench->second->SetPublisher(message.getConnectionHeader());
-      wrench->second->Take(*content, ToNanoseconds(message.getTime()));
+      wrench->second->Take(message);
+    } else if (!options_.wrench_topic.empty() && message.getTopic() == options_.source.joint_states) {
+      for (const auto& [name, follower] : wrenches_) follower->Take(message);
     }
     const auto marker = markers_.find(message.getTopic());
     if (marker != markers_.end()) marker->second.Take(message);
@@ -131,10 +141,12 @@ class Reading {
   }
 
  private:
-  void AddWrench(const std::string& topic) {
+  /// Follows each WrenchStamped, or only the topic that was asked for, whatever its type.
+  void AddWrench(const rosbag::ConnectionInfo& connection) {
     const std::string& wanted = options_.wrench_topic;
-    if (!wanted.empty() && topic != wanted && topic != "/" + wanted) return;
-    wrenches_[topic] = std::make_unique<WrenchFollower>(options_.segmentation);
+    const std::string& topic = connection.topic;
+    const bool follow = wanted.empty() ? connection.datatype == kWrenchType : topic == wanted || topic == "/" + wanted;
+    if (follow) wrenches_[topic] = std::make_unique<WrenchFollower>(topic, connection.datatype, options_);
   }
 
   void List(const rosbag::ConnectionInfo& connection, std::uint32_t messages) {
@@ -145,13 +157,18 @@ class Reading {
       return;
     }
     inspection_->others.push_back(topic);
+    const std::string command = "shapelets train " + path_ + " --model MODEL.bag --wrench-topic " + topic.name;
     if (connection.msg_def.find("geometry_msgs/Wrench") != std::string::npos) {
       inspection_->findings.push_back(
-          {core::Severity::kWarning, topic.name + " holds a wrench as part of " + topic.type,
-           std::string("record the driver's ") + kWrenchType + " topic, or convert this one by wrench_adapter_node"});
+          {core::Severity::kWarning, topic.name + " holds a wrench as part of " + topic.type, command});
+    } else if (connection.msg_def.find(" external_torques") != std::string::npos) {
+      inspection_->findings.push_back(
+          {core::Severity::kWarning, topic.name + " holds external torques of joints",
+           command + " --adapter joint_torques --urdf FILE --base-link LINK --tip-link LINK"});
     }
   }
 
+  const std::string& path_;
   const BagReaderOptions& options_;
   BagInspection* inspection_;
   std::map<std::string, std::unique_ptr<WrenchFollower>> wrenches_;
@@ -231,11 +248,13 @@ void JudgeWrenches(const BagInspection& inspection, const BagReaderOptions& opti
     for (const core::Finding& finding : core::FindingsOf(wrench.stream)) {
       findings->push_back({finding.severity, wrench.name + ": " + finding.text, finding.remedy});
     }
-    if (wrench.stream.rate > 0.0 && wrench.stream.rate * options.segmentation.sample_period < 0.3) {
+    const double sample_period = options.segmentation.sample_period;
+    if (wrench.stream.rate > 0.0 && wrench.stream.rate * sample_period < kSlow) {
       findings->push_back({core::Severity::kWarning,
                            wrench.name + ": " + Number(wrench.stream.rate, 1) + " Hz is slow for a sample_period of " +
-                               Number(options.segmentation.sample_period, 3) + " s",
-                           "raise the driver's rate to 30 Hz or more, or sample_period"});
+                               Number(sample_period, 3) + " s",
+                           "raise the driver's rate to " + Number(0.3 / sample_period, 0) +
+                               " Hz or more, or sample_period to " + Number(1.0 / wrench.stream.rate, 3) + " s"});
     }
     for (const EpisodesFound& found : wrench.found) {
       // Without triggers in the bag, contact is one way to look at it; its findings count if the user asked for it.
@@ -313,7 +332,7 @@ BagInspection InspectBag(const std::string& path, const BagReaderOptions& option
       inspection.begin = ToNanoseconds(view.getBeginTime());
       inspection.end = ToNanoseconds(view.getEndTime());
     }
-    Reading reading(bag, options, &inspection);
+    Reading reading(path, bag, options, &inspection);
     double taken = 0.0;
     for (const rosbag::MessageInstance& message : view) {
       reading.Take(message);

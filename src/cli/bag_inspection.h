@@ -26,6 +26,7 @@ struct EpisodesFound {
 /// One topic of geometry_msgs/WrenchStamped.
 struct WrenchTopic {
   std::string name;
+  std::string type;
   std::vector<std::string> frames;  ///< every frame_id that occurs
   int messages = 0;
   double received_duration = 0.0;  ///< [s] from the first to the last receipt

@@ -12,6 +12,7 @@
 
 #include "cli/common.h"
 #include "cli/episode_table.h"
+#include "cli/event_scores.h"
 #include "cli/text.h"
 #include "cli/text_output.h"
 #include "contact_shapelets/ros/model_bag.h"
@@ -99,8 +100,8 @@ void Classify(const Arguments& arguments) {
   if (!arguments.csv.empty()) CheckTextOutput("--csv", arguments.csv, read);
   if (!arguments.annotate.empty()) CheckBagOutput("--annotate", arguments.annotate, read, {arguments.csv});
   const core::Classifier classifier(LoadModel(arguments.model));
-  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = classifier.model().sample_period;
-  const std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  FollowPreparation(classifier.model(), arguments.bags, &options);
+  const std::vector<core::Episode> episodes = ReadBags(arguments.bags, options.reader);
   const std::vector<core::Classification> results = ClassifyAll(classifier, episodes, options.trainer.threads);
 
   PrintEpisodes(episodes, results);
@@ -114,7 +115,8 @@ void Classify(const Arguments& arguments) {
   for (const core::Classification& result : results) ++events[result.diagnosis.event];
   std::printf("%s by model %s: %s\n", Count(episodes.size(), "episode").c_str(), classifier.model().id.c_str(),
               CountsText(events).c_str());
-  PrintScores(episodes, NearestClusters(results));
+  PrintFarEpisodes(classifier.model(), episodes);
+  EventScores(classifier.model(), episodes, NamedEpisodes(results)).Print();
 }
 
 }  // namespace
@@ -127,6 +129,7 @@ Command ClassifyCommand() {
   command.usage = "BAG... --model MODEL.bag";
   const auto arguments = std::make_shared<Arguments>();
   AddBagArguments(&command, &arguments->bags);
+  AddLabelsOption(&command, &arguments->bags);
   command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file");
   command.options.add_options()("csv", po::value(&arguments->csv), "Writes one line per episode with all distances");
   command.options.add_options()("annotate", po::value(&arguments->annotate),

@@ -50,6 +50,11 @@ int RunCommand(const Command& command, const std::vector<std::string>& arguments
     const std::string option = missing.get_option_name();
     throw UsageError(command.name + ": expected " + command.usage + ", but " +
                      option.substr(option.find_first_not_of('-')) + " is missing");
+  } catch (const po::unknown_option& unknown) {
+    std::vector<std::string> names;
+    for (const auto& option : shown.options()) names.push_back("--" + option->long_name());
+    const std::string likely = Likely(unknown.get_option_name(), names);
+    throw UsageError(command.name + ": " + unknown.what() + (likely.empty() ? "" : "; did you mean " + likely + "?"));
   } catch (const po::error& error) {
     throw UsageError(command.name + ": " + error.what());
   }

@@ -15,8 +15,12 @@ namespace contact_shapelets::cli {
 struct BagArguments {
   std::vector<std::string> bags;
   std::string wrench_topic;
+  std::string adapter;
+  std::string urdf;
+  WrenchSource source;
   std::string segmentation;
   std::vector<std::string> configs;
+  std::string labels;  ///< a table of outcomes; empty: none
 };
 
 /// Returns all files that a command with these arguments reads: bags and parameter files.
@@ -28,6 +32,9 @@ void AddBags(Command* command, std::vector<std::string>* bags);
 /// Adds bags and the options of the reader to a command. `arguments` must outlive it.
 void AddBagArguments(Command* command, BagArguments* arguments);
 
+/// Adds the option of a table with outcomes.
+void AddLabelsOption(Command* command, BagArguments* arguments);
+
 /// Adds only the options of the reader.
 void AddReaderOptions(Command* command, BagArguments* arguments);
 
@@ -37,13 +44,22 @@ struct Options {
   core::TrainerOptions trainer;
 };
 
-/// Returns the options by the arguments and their parameter files. \throws std::runtime_error listing every parameter
-/// that is out of range or unknown.
-Options ReadOptions(const BagArguments& arguments);
+/// Returns the options by the arguments and their parameter files, else by the `defaults`. \throws std::runtime_error
+/// listing every parameter that is out of range or unknown.
+Options ReadOptions(const BagArguments& arguments, const core::SegmentationOptions& defaults = {});
 
-/// Reads the episodes of all bags. Prints progress to stderr and findings about the wrench to stdout.
-/// \throws std::runtime_error in one line that names the bag, see ReadEpisodes().
-std::vector<core::Episode> ReadBags(const std::vector<std::string>& bags, const BagReaderOptions& options);
+/// Reads `options` anew: episodes are cut as those of the model's training were, but for what the arguments and their
+/// files set. Prints a warning that names the option and the differences if they set something else.
+void FollowPreparation(const core::Model& model, const BagArguments& arguments, Options* options);
+
+/// Prints how many episodes are far from all that the model was trained on, with an example; nothing if none is.
+void PrintFarEpisodes(const core::Model& model, const std::vector<core::Episode>& episodes);
+
+/// Reads the episodes of all bags, with the outcomes of the table of labels. Prints progress to stderr and findings
+/// about the wrench to stdout. \throws std::runtime_error in one line that names the bag or the table, see
+/// ReadEpisodes() and SetOutcomes(). Sets `preparation`, unless it is null, to what the bags have in common.
+std::vector<core::Episode> ReadBags(const BagArguments& arguments, const BagReaderOptions& options,
+                                    core::Preparation* preparation = nullptr);
 
 /// A line on stderr with the progress and the time to go. On a terminal it overwrites itself.
 class ProgressLine {
@@ -64,9 +80,5 @@ class ProgressLine {
   bool terminal_;
   bool shown_ = false;
 };
-
-/// Prints to stdout how well `labels` agree with the outcomes. Ignores episodes without an outcome, and prints nothing
-/// if no episode has one.
-void PrintScores(const std::vector<core::Episode>& episodes, const Eigen::Ref<const Eigen::VectorXi>& labels);
 
 }  // namespace contact_shapelets::cli

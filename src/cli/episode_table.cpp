@@ -31,17 +31,9 @@ std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier
   return results;
 }
 
-Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results) {
-  Eigen::VectorXi clusters(results.size());
-  for (std::size_t index = 0; index < results.size(); ++index) {
-    clusters[static_cast<Eigen::Index>(index)] = results[index].diagnosis.nearest_cluster;
-  }
-  return clusters;
-}
-
 void WriteCsv(const std::vector<core::Episode>& episodes, const std::vector<core::Classification>& results,
               std::ostream* file) {
-  *file << "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty,complete";
+  *file << kTableStart << ",complete";
   const Eigen::Index shapelets = results.empty() ? 0 : results.front().features.distances.size();
   for (Eigen::Index k = 0; k < shapelets; ++k) *file << ",d" << k;
   *file << '\n' << std::setprecision(9);

@@ -16,8 +16,8 @@ namespace contact_shapelets::cli {
 std::vector<core::Classification> ClassifyAll(const core::Classifier& classifier,
                                               const std::vector<core::Episode>& episodes, int threads);
 
-/// Returns the nearest cluster of each result, novel or not. Scores compare this partition with the outcomes.
-Eigen::VectorXi NearestClusters(const std::vector<core::Classification>& results);
+/// The text that each table begins with.
+constexpr char kTableStart[] = "episode_id,start,duration,samples,outcome,cluster,event,confidence,novelty";
 
 /// Writes to `file` one line per episode: episode_id, start [s], duration [s], samples, outcome, cluster, event,
 /// confidence, novelty, then the distance to every shapelet, d0 to dK-1. Quotes texts with commas, quotes or line

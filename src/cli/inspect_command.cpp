@@ -68,7 +68,7 @@ void PrintWrench(const WrenchTopic& wrench) {
   const core::StreamSummary& stream = wrench.stream;
   std::vector<std::string> frames = wrench.frames;
   std::replace(frames.begin(), frames.end(), std::string(), std::string("(empty)"));
-  std::cout << "  " << wrench.name << "  geometry_msgs/WrenchStamped, frame " << Joined(frames, ", ") << '\n';
+  std::cout << "  " << wrench.name << "  " << wrench.type << ", frame " << Joined(frames, ", ") << '\n';
   const double received = wrench.received_duration > 0.0 ? (wrench.messages - 1) / wrench.received_duration : 0.0;
   Line("messages", std::to_string(wrench.messages) + " over " + Number(wrench.received_duration, 2) + " s, " +
                        Number(received, 1) + " Hz as received");
@@ -103,6 +103,17 @@ void PrintModel(const core::Model& model) {
     Line("cluster " + std::to_string(index), Count(static_cast<std::size_t>(cluster.size), "episode") + ", event " +
                                                  model.EventOf(static_cast<int>(index)) +
                                                  (cluster.label.empty() ? " (not named)" : ""));
+  }
+  const core::Preparation& preparation = model.preparation;
+  if (preparation.segmentation) {
+    Line("cut by", "segmentation " + core::NameOf(preparation.segmentation->segmentation) + ", tare " +
+                       core::NameOf(preparation.segmentation->tare) +
+                       (preparation.topic.empty() ? "" : ", from " + preparation.topic));
+  }
+  if (preparation.greatest_duration > 0.0) {
+    Line("ranges", Number(preparation.least_duration, 2) + " to " + Number(preparation.greatest_duration, 2) +
+                       " s, greatest forces " + Number(preparation.least_peak, 1) + " to " +
+                       Number(preparation.greatest_peak, 1) + " N");
   }
   const core::Provenance& provenance = model.provenance;
   Line("trained on", Count(static_cast<std::size_t>(provenance.training_episodes), "episode") + " of " +

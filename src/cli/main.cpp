@@ -14,6 +14,7 @@
 #include "cli/drift_command.h"
 #include "cli/evaluate_command.h"
 #include "cli/inspect_command.h"
+#include "cli/name_command.h"
 #include "cli/report_command.h"
 #include "cli/segment_command.h"
 #include "cli/text.h"
@@ -59,13 +60,19 @@ int PrintHelp(const std::vector<Command>& commands) {
 int Run(const std::vector<Command>& commands, const std::vector<std::string>& arguments) {
   const std::string name = arguments.empty() ? "none" : arguments.front();
   if (name == "--help" || name == "-h") return PrintHelp(commands);
+  if (name == "--version") {
+    std::cout << "shapelets " << SHAPELETS_VERSION << '\n';
+    return 0;
+  }
   const auto command =
       std::find_if(commands.begin(), commands.end(), [&name](const Command& other) { return other.name == name; });
   if (command != commands.end()) return RunCommand(*command, {arguments.begin() + 1, arguments.end()});
   std::vector<std::string> names;
   for (const Command& other : commands) names.push_back(other.name);
+  const std::string likely = contact_shapelets::cli::Likely(name, names);
   throw contact_shapelets::cli::UsageError("expected one of the commands " +
-                                           contact_shapelets::cli::Joined(names, ", ") + ", but found " + name);
+                                           contact_shapelets::cli::Joined(names, ", ") + ", but found " + name +
+                                           (likely.empty() ? "" : "; did you mean " + likely + "?"));
 }
 
 }  // namespace
@@ -81,8 +88,8 @@ int main(int argc, char** argv) {
   try {
     const int status = Run({contact_shapelets::cli::TrainCommand(), contact_shapelets::cli::ClassifyCommand(),
                             contact_shapelets::cli::EvaluateCommand(), contact_shapelets::cli::InspectCommand(),
-                            contact_shapelets::cli::ReportCommand(), contact_shapelets::cli::SegmentCommand(),
-                            contact_shapelets::cli::DriftCommand()},
+                            contact_shapelets::cli::NameCommand(), contact_shapelets::cli::ReportCommand(),
+                            contact_shapelets::cli::SegmentCommand(), contact_shapelets::cli::DriftCommand()},
                            {argv + 1, argv + argc});
     bag_errors.Print();
     std::cout.flush();

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 
 #include "cli/common.h"
 #include "cli/episode_table.h"
+#include "cli/event_scores.h"
 #include "cli/report_page.h"
 #include "cli/text.h"
 #include "cli/text_output.h"
@@ -42,6 +44,26 @@ void CreateFolder(const std::string& folder) {
   }
 }
 
+/// Without --model, the first file is the model.
+void TakeModel(Arguments* arguments) {
+  if (!arguments->model.empty()) return;
+  std::vector<std::string>& bags = arguments->bags.bags;
+  if (bags.size() < 2) throw UsageError("report: expected MODEL.bag BAG... --out DIR, but bags is missing");
+  arguments->model = bags.front();
+  bags.erase(bags.begin());
+}
+
+/// \throws std::runtime_error if `path` is a file that does not begin as a report's file does.
+void CheckIsReports(const std::string& path, const std::string& start) {
+  std::ifstream file(path);
+  std::string found(start.size(), '\0');
+  file.read(&found[0], static_cast<std::streamsize>(found.size()));
+  const auto count = static_cast<std::size_t>(file.gcount());
+  if (count > 0 && found != start) {
+    throw std::runtime_error("--out: " + path + " is not of a report, and is not replaced; choose another folder");
+  }
+}
+
 void Report(const Arguments& arguments) {
   Options options = ReadOptions(arguments.bags);
   const core::Classifier classifier(LoadModel(arguments.model));
@@ -49,14 +71,16 @@ void Report(const Arguments& arguments) {
   contents.model = classifier.model();
   contents.model_file = arguments.model;
   contents.bags = arguments.bags.bags;
-  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = contents.model.sample_period;
+  FollowPreparation(contents.model, arguments.bags, &options);
   CreateFolder(arguments.folder);
   const std::string page_path = (std::filesystem::path(arguments.folder) / "index.html").string();
   const std::string table_path = (std::filesystem::path(arguments.folder) / "episodes.csv").string();
   std::vector<std::string> read = FilesRead(arguments.bags);
   read.push_back(arguments.model);
   for (const std::string& path : {page_path, table_path}) CheckTextOutput("--out", path, read);
-  contents.episodes = ReadBags(contents.bags, options.reader);
+  CheckIsReports(page_path, kPageStart);
+  CheckIsReports(table_path, kTableStart);
+  contents.episodes = ReadBags(arguments.bags, options.reader);
   contents.results = ClassifyAll(classifier, contents.episodes, options.trainer.threads);
   contents.series = SeriesOf(contents.episodes, contents.model.sample_period);
 
@@ -69,9 +93,10 @@ void Report(const Arguments& arguments) {
   page.Check();
   table.Finish();
   page.Finish();
-  std::printf("%s in %s and %s\n", Count(contents.episodes.size(), "episode").c_str(), page_path.c_str(),
+  std::printf("wrote %s to %s and %s\n", Count(contents.episodes.size(), "episode").c_str(), page_path.c_str(),
               table_path.c_str());
-  PrintScores(contents.episodes, NearestClusters(contents.results));
+  PrintFarEpisodes(contents.model, contents.episodes);
+  EventScores(contents.model, contents.episodes, NamedEpisodes(contents.results)).Print();
 }
 
 }  // namespace
@@ -81,14 +106,15 @@ Command ReportCommand() {
   Command command;
   command.name = "report";
   command.description = "Writes a page with a model's diagnoses of bags";
-  command.usage = "MODEL.bag BAG... --out DIR";
+  command.usage = "MODEL.bag BAG... --out DIR, or BAG... --model MODEL.bag --out DIR";
   const auto arguments = std::make_shared<Arguments>();
-  command.places.add_options()("model", po::value(&arguments->model)->required());
-  command.positional.add("model", 1);
   AddBagArguments(&command, &arguments->bags);
+  AddLabelsOption(&command, &arguments->bags);
   command.options.add_options()("out", po::value(&arguments->folder)->required(),
                                 "The folder to write index.html and episodes.csv to");
+  command.options.add_options()("model", po::value(&arguments->model), "The model file (default: the first file)");
   command.run = [arguments] {
+    TakeModel(arguments.get());
     Report(*arguments);
     return 0;
   };

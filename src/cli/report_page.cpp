@@ -1,14 +1,11 @@
 #include "cli/report_page.h"
 
 #include <algorithm>
-#include <set>
 
-#include "cli/common.h"
-#include "cli/episode_table.h"
+#include "cli/event_scores.h"
 #include "cli/report_plots.h"
 #include "cli/svg_plot.h"
 #include "cli/text.h"
-#include "evaluation/partition_metrics.h"
 
 namespace contact_shapelets::cli {
 namespace {
@@ -68,19 +65,40 @@ std::vector<std::size_t> NovelEpisodes(const ReportContents& contents) {
   return novel;
 }
 
+/// Returns the colour class of a cell: right if the event equals the outcome, else wrong. It is empty if the event is
+/// the number of a cluster without a name, or `unknown` where no cluster has the outcome's name.
+std::string Verdict(const EventScores& scores, const std::string& outcome, const std::string& event) {
+  if (event == outcome && event != scores.events().back()) return " right";
+  return scores.IsNamed(event) || scores.IsNamed(outcome) ? " wrong" : "";
+}
+
+std::string ConfusionTable(const EventScores& scores) {
+  std::string table = "<table>\n<tr><th>outcome given \\ event</th>";
+  for (const std::string& event : scores.events()) table += "<th class=\"n\">" + Escaped(event) + "</th>";
+  table += "</tr>\n";
+  for (const std::string& outcome : scores.outcomes()) {
+    table += "<tr><th>" + Escaped(outcome) + "</th>";
+    for (const std::string& event : scores.events()) {
+      const int count = scores.CountOf(outcome, event);
+      const std::string verdict = count > 0 ? Verdict(scores, outcome, event) : "";
+      table += "<td class=\"n" + verdict + "\">" + std::to_string(count) + "</td>";
+    }
+    table += "</tr>\n";
+  }
+  return table + "</table>\n";
+}
+
 std::string Summary(const ReportContents& contents) {
   const std::size_t novel = NovelEpisodes(contents).size();
   std::string text =
       Escaped(Count(contents.episodes.size(), "episode") + " of " + Number(MedianDuration(contents.episodes), 2) +
               " s (median) from " + Count(contents.bags.size(), "bag") + ", sorted into " +
               Count(contents.model.clusters.size(), "cluster") + "; " + std::to_string(novel) + " fit none of them.");
-  const auto agreement = evaluation::CompareWithOutcomes(NearestClusters(contents.results), contents.episodes);
-  if (!agreement) return Paragraph(text + " The bags have no outcomes to compare with.");
-  const evaluation::PartitionScores& scores = agreement->scores;
-  return Paragraph(text + " Against the outcomes given for " + Count(agreement->episodes, "episode") +
-                   ": Rand index <b>" + Number(scores.rand_index, 4) + "</b>, ARI " +
-                   Number(scores.adjusted_rand_index, 4) + ", NMI " + Number(scores.normalised_mutual_information, 4) +
-                   ", accuracy " + Number(scores.accuracy, 4) + ".");
+  const EventScores scores(contents.model, contents.episodes, NamedEpisodes(contents.results));
+  if (scores.episodes() == 0) return Paragraph(text + " The bags have no outcomes to compare with.");
+  std::string summary = Paragraph("<b>" + Escaped(scores.Summary()) + "</b>") + ConfusionTable(scores);
+  for (const std::string& warning : scores.Warnings()) summary += Paragraph(Escaped(warning));
+  return summary + Paragraph(text + " " + Escaped(scores.Indices()));
 }
 
 std::string ProvenanceTable(const ReportContents& contents) {
@@ -98,43 +116,6 @@ std::string ProvenanceTable(const ReportContents& contents) {
   table += Row({"Scales", Joined(scales, ", ") + " of the typical duration"});
   table += Row({"Sample period", Number(model.sample_period, 4) + " s"});
   table += Row({"Bags of this report", Joined(contents.bags, ", ")});
-  return table + "</table>\n";
-}
-
-/// Returns the colour class of a cell. It is right if the event equals the outcome, or if the event is "unknown" and no
-/// cluster has the outcome's name. It is empty if the outcome or the name of the cluster is missing.
-std::string Verdict(const core::Model& model, const std::string& outcome, const std::string& event) {
-  const auto is_named = [&model](const std::string& name) {
-    return std::any_of(model.clusters.begin(), model.clusters.end(),
-                       [&name](const core::Cluster& cluster) { return cluster.label == name; });
-  };
-  const std::string unknown = model.EventOf(-1);
-  if (outcome.empty() || (event != unknown && !is_named(event))) return "";
-  const bool right = event == outcome || (event == unknown && !is_named(outcome));
-  return right ? " right" : " wrong";
-}
-
-std::string ConfusionTable(const ReportContents& contents) {
-  std::set<std::string> events;
-  std::map<std::string, std::map<std::string, int>> counts;
-  for (std::size_t index = 0; index < contents.episodes.size(); ++index) {
-    const std::string& outcome = contents.episodes[index].outcome;
-    const std::string& event = contents.results[index].diagnosis.event;
-    events.insert(event);
-    ++counts[outcome][event];
-  }
-  std::string table = "<table>\n<tr><th>outcome given \\ event</th>";
-  for (const std::string& event : events) table += "<th class=\"n\">" + Escaped(event) + "</th>";
-  table += "</tr>\n";
-  for (auto& [outcome, row] : counts) {
-    table += "<tr><th>" + Escaped(outcome.empty() ? "(not given)" : outcome) + "</th>";
-    for (const std::string& event : events) {
-      const int count = row[event];
-      table += "<td class=\"n" + (count > 0 ? Verdict(contents.model, outcome, event) : "") + "\">" +
-               std::to_string(count) + "</td>";
-    }
-    table += "</tr>\n";
-  }
   return table + "</table>\n";
 }
 
@@ -254,15 +235,13 @@ std::string EpisodeTable(const ReportContents& contents) {
 
 std::string ReportPage(const ReportContents& contents) {
   std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Contact report: model " +
-      Escaped(contents.model.id) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
+      kPageStart + Escaped(contents.model.id) + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   page += "<h1>Contact report</h1>\n" + Summary(contents);
   page += OverviewPlot(contents) + ClusterTable(contents);
   page += Paragraph(
       "Curves are medians over a cluster's episodes, shifted in time so that each lies best over the most "
       "typical "
       "one: contacts begin at different times.");
-  page += Heading("Outcomes given and events diagnosed") + ConfusionTable(contents);
   for (int cluster = 0; cluster < static_cast<int>(contents.model.clusters.size()); ++cluster) {
     page += ClusterSection(contents, cluster);
   }

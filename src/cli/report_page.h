@@ -11,6 +11,10 @@
 
 namespace contact_shapelets::cli {
 
+/// The text that each page begins with.
+constexpr char kPageStart[] =
+    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Contact report: model ";
+
 /// The contents of a report.
 struct ReportContents {
   core::Model model;

@@ -82,7 +82,7 @@ void Segment(const Arguments& arguments) {
   }
   for (const std::string& bag : arguments.bags.bags) {
     const WrenchRecording recording =
-        ReadWrenchRecording(bag, options.wrench_topic, options.segmentation.sample_period);
+        ReadWrenchRecording(bag, options.wrench_topic, options.segmentation.sample_period, options.source);
     Found found;
     try {
       found = FindChanges(recording, arguments);

@@ -7,6 +7,27 @@
 
 namespace contact_shapelets::cli {
 
+namespace {
+
+/// Returns the number of letters to change, leave out, add or swap with the next (Damerau 1964).
+std::size_t Edits(const std::string& first, const std::string& second) {
+  std::vector<std::vector<std::size_t>> edits(first.size() + 1, std::vector<std::size_t>(second.size() + 1));
+  for (std::size_t i = 0; i <= first.size(); ++i) {
+    for (std::size_t j = 0; j <= second.size(); ++j) {
+      std::size_t& least = edits[i][j];
+      least = std::max(i, j);
+      if (i == 0 || j == 0) continue;
+      const std::size_t change = first[i - 1] == second[j - 1] ? 0 : 1;
+      least = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, edits[i - 1][j - 1] + change});
+      const bool swapped = i > 1 && j > 1 && first[i - 1] == second[j - 2] && first[i - 2] == second[j - 1];
+      if (swapped) least = std::min(least, edits[i - 2][j - 2] + 1);
+    }
+  }
+  return edits[first.size()][second.size()];
+}
+
+}  // namespace
+
 std::string Number(double value, int decimals) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(decimals) << value;
@@ -47,6 +68,18 @@ std::string DateText(core::Nanoseconds time) {
   std::ostringstream text;
   text << std::put_time(&parts, "%Y-%m-%d %H:%M:%S");
   return text.str();
+}
+
+std::string Likely(const std::string& word, const std::vector<std::string>& words) {
+  std::size_t least = std::min<std::size_t>(3, word.size());
+  std::string likely;
+  for (const std::string& other : words) {
+    const std::size_t edits = Edits(word, other);
+    if (edits >= least) continue;
+    least = edits;
+    likely = other;
+  }
+  return likely;
 }
 
 std::string FileName(const std::string& path) { return path.substr(path.rfind('/') + 1); }

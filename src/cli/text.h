@@ -25,6 +25,9 @@ std::string CountsText(const std::map<std::string, int>& counts);
 std::string CsvField(const std::string& text);
 /// Returns the time in UTC: "2023-11-14 22:13:20".
 std::string DateText(core::Nanoseconds time);
+/// Returns the one of `words` that `word` is most likely a misspelling of, at most two letters changed, left out, added
+/// or swapped; an empty string if there is none.
+std::string Likely(const std::string& word, const std::vector<std::string>& words);
 /// Returns the last part of a path.
 std::string FileName(const std::string& path);
 /// Returns the median (the lower of two) of `values`; 0 if there are none.

@@ -5,9 +5,12 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "cli/common.h"
+#include "cli/event_scores.h"
+#include "cli/moved_names.h"
 #include "cli/text.h"
 #include "contact_shapelets/ros/model_bag.h"
 #include "ros/bags/output_file.h"
@@ -22,6 +25,7 @@ struct Arguments {
   int clusters = 0;
   int seed = -1;
   bool incomplete = false;
+  std::string names_from;
 };
 
 /// Removes incomplete episodes and prints their number.
@@ -65,7 +69,8 @@ void PrintTraining(const core::TrainingResult& result, const std::vector<core::E
               static_cast<unsigned long long>(provenance.seed), seconds);
 }
 
-void PrintClusters(const core::TrainingResult& result, const std::vector<core::Episode>& episodes) {
+void PrintClusters(const core::TrainingResult& result, const std::vector<core::Episode>& episodes,
+                   const std::string& model_file) {
   bool unnamed = false;
   for (std::size_t index = 0; index < result.model.clusters.size(); ++index) {
     std::map<std::string, int> outcomes;
@@ -80,7 +85,7 @@ void PrintClusters(const core::TrainingResult& result, const std::vector<core::E
                 result.model.EventOf(static_cast<int>(index)).c_str(), outcomes.empty() ? "" : ": ",
                 CountsText(outcomes).c_str());
   }
-  if (unnamed) std::printf("To name a cluster, call the service ~name_cluster of classifier_node.\n");
+  if (unnamed) std::printf("To name cluster 0: shapelets name %s 0=NAME\n", model_file.c_str());
 }
 
 void Train(const Arguments& arguments) {
@@ -88,19 +93,31 @@ void Train(const Arguments& arguments) {
   if (arguments.clusters > 0) options.trainer.clusters = arguments.clusters;
   if (arguments.seed >= 0) options.trainer.seed = static_cast<std::uint64_t>(arguments.seed);
   if (arguments.incomplete) options.trainer.incomplete = true;
+  std::optional<core::Model> named_model;
+  if (!arguments.names_from.empty()) named_model = LoadModel(arguments.names_from);
   CheckModelOutput("--model", arguments.model, FilesRead(arguments.bags));
-  std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  core::Preparation preparation;
+  std::vector<core::Episode> episodes = ReadBags(arguments.bags, options.reader, &preparation);
   LeaveOutIncomplete(arguments, options.trainer, &episodes);
   const auto start = std::chrono::steady_clock::now();
   core::TrainingResult result = TrainWithProgress(episodes, arguments, options.trainer);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  preparation.SetRanges(episodes);
+  result.model.preparation = preparation;
+  std::vector<std::string> moved;
+  if (named_model) {
+    moved = MoveNames(*named_model, episodes, result.labels, options.trainer.threads, &result.model);
+  }
   result.model.provenance.sources = arguments.bags.bags;
   result.model.provenance.trained = WallNow();
   SaveModel(arguments.model, result.model);
   PrintTraining(result, episodes, seconds);
-  PrintClusters(result, episodes);
+  PrintClusters(result, episodes, arguments.model);
+  for (const std::string& line : moved) std::printf("%s\n", line.c_str());
   std::printf("Model %s is in %s\n", result.model.id.c_str(), arguments.model.c_str());
-  PrintScores(episodes, result.labels);
+  std::vector<NamedEpisode> named;
+  for (const int label : result.labels) named.push_back({result.model.EventOf(label), label});
+  EventScores(result.model, episodes, named).Print();
 }
 
 }  // namespace
@@ -113,6 +130,7 @@ Command TrainCommand() {
   command.usage = "BAG... --model OUT.bag";
   const auto arguments = std::make_shared<Arguments>();
   AddBagArguments(&command, &arguments->bags);
+  AddLabelsOption(&command, &arguments->bags);
   command.options.add_options()("model", po::value(&arguments->model)->required(), "The model file to write");
   command.options.add_options()(
       "clusters", po::value(&arguments->clusters)->notifier(InRange("--clusters", 2, core::kMostClusters)),
@@ -122,6 +140,8 @@ Command TrainCommand() {
       "Equal seeds give equal models");
   command.options.add_options()("incomplete", po::bool_switch(&arguments->incomplete),
                                 "Learns from incomplete episodes too, such as half a push at the end of a bag");
+  command.options.add_options()("names-from", po::value(&arguments->names_from),
+                                "An older model, whose names go to the clusters with the same episodes");
   command.run = [arguments] {
     Train(*arguments);
     return 0;

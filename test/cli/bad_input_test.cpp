@@ -259,10 +259,12 @@ TEST_F(BadInputTest, AFullDiskLeavesTheOldFiles) {
   const std::string bag = Sound();
   ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
   const std::string report = folder_ / "report";
-  mkdir(report.c_str(), 0700);
+  ASSERT_EQ(RunShapelets({"report", model_, bag, "--out", report}).status, 0);
   const std::vector<std::string> outputs{folder_ / "table.csv", folder_ / "annotated.bag", report + "/index.html",
                                          report + "/episodes.csv"};
-  for (const std::string& output : outputs) WriteFile(output, "as it was");
+  for (const std::string& output : {outputs[0], outputs[1]}) WriteFile(output, "as it was");
+  std::vector<std::string> before;
+  for (const std::string& output : outputs) before.push_back(ReadFile(output));
   const std::vector<std::string> files = folder_.Files();
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"classify", bag, "--model", model_, "--csv", outputs[0]},
@@ -273,7 +275,9 @@ TEST_F(BadInputTest, AFullDiskLeavesTheOldFiles) {
     EXPECT_EQ(run.status, 1) << arguments[0];
     EXPECT_NE(run.err.find("cannot be written"), std::string::npos) << run.err;
   }
-  for (const std::string& output : outputs) EXPECT_EQ(ReadFile(output), "as it was") << output;
+  for (std::size_t index = 0; index < outputs.size(); ++index) {
+    EXPECT_EQ(ReadFile(outputs[index]), before[index]) << outputs[index];
+  }
   EXPECT_EQ(folder_.Files(), files);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(report), std::filesystem::directory_iterator()), 2);
 }
@@ -338,8 +342,18 @@ TEST_F(BadInputTest, WrongUsageExitsWithTwo) {
   ExpectRefusal({"report", model_, "--out", folder_ / "out"}, 2, {"bags"});
   ExpectRefusal({"inspect", bag, "--loud"}, 2, {"--loud"});
   ExpectRefusal({"train", "--bags", bag, "--model", model_}, 2, {"expected BAG... --model", "--bags"});
-  ExpectRefusal({"report", "--model", model_, bag, "--out", folder_ / "out"}, 2,
-                {"expected MODEL.bag BAG...", "--model"});
+  ExpectRefusal({"clasify", bag}, 2, {"did you mean classify?"});
+  ExpectRefusal({"train", bag, "--modle", model_}, 2, {"did you mean --model?"});
+}
+
+TEST_F(BadInputTest, AReportReplacesNoFileOfAnotherKind) {
+  const std::string bag = Sound();
+  ASSERT_EQ(RunShapelets({"train", bag, "--model", model_, "--config", quick_}).status, 0);
+  const std::string report = folder_ / "page";
+  mkdir(report.c_str(), 0700);
+  WriteFile(report + "/index.html", "<html>my page</html>");
+  ExpectRefusal({"report", model_, bag, "--out", report}, 1, {"index.html", "not of a report"});
+  EXPECT_EQ(ReadFile(report + "/index.html"), "<html>my page</html>");
 }
 
 TEST_F(BadInputTest, HelpIsNoError) {

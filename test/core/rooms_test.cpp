@@ -40,7 +40,7 @@ const std::map<std::string, int>& Heights() {
   static const std::map<std::string, int> heights{
       {"core/numerics", 0},   {"core/change_points", 1}, {"core/stream", 1},  {"core/matching", 1},
       {"core/clustering", 1}, {"core/learning", 2},      {"core/model", 3},   {"core/drift", 4},
-      {"evaluation", 4},      {"ros/messages", 5},       {"ros/adapters", 6}, {"ros/bags", 6},
+      {"evaluation", 4},      {"ros/messages", 5},       {"ros/adapters", 6}, {"ros/bags", 7},
       {"ros/parameters", 7},  {"ros/nodes", 8},          {"nodes", 9},        {"cli", 9},
   };
   return heights;
@@ -57,6 +57,7 @@ const std::map<std::string, std::string>& RoomsOfPublicHeaders() {
       {"core/finding.h", "core/numerics"},
       {"core/learner_options.h", "core/learning"},
       {"core/model.h", "core/model"},
+      {"core/preparation.h", "core/model"},
       {"core/segmentation_options.h", "core/stream"},
       {"core/shapelet.h", "core/numerics"},
       {"core/stream_summary.h", "core/stream"},
@@ -65,6 +66,7 @@ const std::map<std::string, std::string>& RoomsOfPublicHeaders() {
       {"core/wrench_stream.h", "core/stream"},
       {"ros/episode_bag_reader.h", "ros/bags"},
       {"ros/model_bag.h", "ros/bags"},
+      {"ros/wrench_source.h", "ros/adapters"},
   };
   return rooms;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "contact_shapelets/core/preparation.h"
 #include "contact_shapelets/core/shapelet.h"
 #include "contact_shapelets/core/time.h"
 
@@ -50,6 +51,7 @@ struct Model {
   std::vector<Shapelet> shapelets;  ///< [K], one feature each
   std::vector<Cluster> clusters;    ///< [C]
   Provenance provenance;            ///< how it was trained
+  Preparation preparation;          ///< how its training episodes were made
 
   /// Returns the features that clusters are formed on, for distances F [N, K], one series per row:
   /// log(max(F, 0) + log_offset), or max(F, 0) if `log_offset` is 0.

@@ -124,6 +124,7 @@ std::string Model::Faults() const {
     faults << "the log offset is not 0 or in " << kLogOffsets.Text() << '\n';
   }
   CheckProvenance(provenance, faults);
+  faults << preparation.Faults();
   if (!CheckSizes(*this, faults)) return faults.str();
   for (std::size_t index = 0; index < shapelets.size(); ++index) {
     std::ostringstream item;

@@ -100,7 +100,7 @@ geometry_msgs::WrenchStamped WrenchAdapter::Convert(const ros::Time& arrival) co
 Wrench WrenchAdapter::ReadWrench() const {
   const std::string path = options_.field.empty() ? driver_.PathOf("geometry_msgs/Wrench") : options_.field;
   if (path.empty()) {
-    throw std::runtime_error(driver_.datatype() + " holds no geometry_msgs/Wrench; name its six numbers by ~field");
+    throw std::runtime_error(driver_.datatype() + " holds no geometry_msgs/Wrench; name its six numbers by `field`");
   }
   const std::vector<double> values = driver_.Numbers(path);
   if (values.size() != 6) {

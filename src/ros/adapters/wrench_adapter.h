@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "contact_shapelets/ros/wrench_source.h"
 #include "ros/adapters/arm_chain.h"
 #include "ros/adapters/message_reader.h"
-#include "ros/adapters/wrench_adapter_options.h"
 
 namespace contact_shapelets {
 

@@ -82,10 +82,10 @@ std::string Joined(const std::vector<std::string>& names) {
 std::string WrenchTopicOf(const std::string& path, const BagTopics& topics, const std::string& wanted) {
   const std::vector<std::string> wrenches = topics.OfType(kWrenchType);
   if (!wanted.empty()) {
-    for (const std::string& topic : wrenches) {
-      if (topic == wanted || topic == "/" + wanted) return topic;
+    for (const std::string& topic : {wanted, "/" + wanted}) {
+      if (topics.Has(topic)) return topic;
     }
-    throw std::runtime_error(path + ": expected " + kWrenchType + " on " + wanted + ", but found " + topics.List());
+    throw std::runtime_error(path + ": expected a wrench on " + wanted + ", but found " + topics.List());
   }
   if (wrenches.empty()) {
     throw std::runtime_error(path + ": expected a topic of type " + kWrenchType +

@@ -25,6 +25,8 @@ class BagTopics {
   std::vector<std::string> OfType(const std::string& type) const;
   /// Returns the topics of `type` that end in `name` ("/robot/episode_active" for "episode_active").
   std::vector<std::string> Named(const std::string& name, const std::string& type) const;
+  /// Returns true if the bag has this topic.
+  bool Has(const std::string& topic) const { return type_of_.count(topic) > 0; }
   /// Returns the topics with their types in one line, or "none".
   std::string List() const;
 
@@ -35,8 +37,9 @@ class BagTopics {
 /// `names` with commas between them.
 std::string Joined(const std::vector<std::string>& names);
 
-/// The topic of the wrench among `topics` of the bag `path`: `wanted`, or the only one of type WrenchStamped if
-/// `wanted` is empty. \throws std::runtime_error in one line that names the bag if there is none, or more than one.
+/// The topic of the wrench among `topics` of the bag `path`: `wanted`, of any type, or the only one of type
+/// WrenchStamped if `wanted` is empty. \throws std::runtime_error in one line that names the bag if there is none, or
+/// more than one.
 std::string WrenchTopicOf(const std::string& path, const BagTopics& topics, const std::string& wanted);
 
 }  // namespace contact_shapelets

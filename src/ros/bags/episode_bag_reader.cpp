@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "contact_shapelets/core/wrench_stream.h"
 #include "ros/bags/bag_damage.h"
 #include "ros/bags/bag_topics.h"
+#include "ros/bags/wrench_messages.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/names.h"
@@ -66,16 +68,20 @@ Parts FindParts(const std::string& path, const BagTopics& topics, const BagReade
 /// Cuts one bag into episodes. Takes its messages in the order of arrival.
 class Reading {
  public:
-  Reading(const Parts& parts, const BagReaderOptions& options) : parts_(parts), stream_(options.segmentation) {}
+  Reading(const Parts& parts, const BagReaderOptions& options) : parts_(parts), stream_(options.segmentation) {
+    if (!parts.wrench.empty()) wrenches_.emplace(parts.wrench, options.source);
+  }
 
   void Take(const rosbag::MessageInstance& message) {
     const std::string& topic = message.getTopic();
     const core::Nanoseconds arrival = ToNanoseconds(message.getTime());
     // The node lets time pass between messages too.
     stream_.AdvanceTo(arrival);
-    if (topic == parts_.wrench) {
-      if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
-      TakeWrench(*Instantiate<geometry_msgs::WrenchStamped>(message), arrival);
+    if (wrenches_ && wrenches_->Reads(topic)) {
+      if (const auto wrench = wrenches_->Read(message)) {
+        if (const auto publisher = publisher_.Next(message.getConnectionHeader())) stream_.SetPublisher(*publisher);
+        TakeWrench(*wrench, arrival);
+      }
     } else if (topic == parts_.active) {
       stream_.AddUnstampedEdge(Instantiate<std_msgs::Bool>(message)->data != 0, arrival);
     } else if (topic == parts_.event) {
@@ -95,6 +101,7 @@ class Reading {
   }
 
   BagContents Finish() {
+    if (!has_frame_ && wrenches_ && !wrenches_->fault().empty()) throw std::runtime_error(wrenches_->fault());
     stream_.Finish();
     Collect();
     NameOutcomes();
@@ -177,6 +184,7 @@ class Reading {
   }
 
   Parts parts_;
+  std::optional<WrenchMessages> wrenches_;  ///< nothing if Episode messages are read
   core::WrenchStream stream_;
   BagContents contents_;
   PublisherWatch publisher_;
@@ -202,6 +210,17 @@ std::string WhyNoEpisode(const BagReaderOptions& options, const Parts& parts, co
                   : "it has no episode_active (std_msgs/Bool) or episode_event topic; try segmentation: contact";
 }
 
+core::Preparation PreparationOf(const BagContents& contents, const Parts& parts, const BagReaderOptions& options) {
+  core::Preparation preparation;
+  if (!parts.wrench.empty()) {
+    preparation.segmentation = options.segmentation;
+    preparation.topic = parts.wrench;
+    preparation.rate = contents.stream.rate;
+  }
+  preparation.SetRanges(contents.episodes);
+  return preparation;
+}
+
 }  // namespace
 
 BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& options, const ReadProgress& progress) {
@@ -215,9 +234,10 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
        {parts.wrench, parts.active, parts.event, parts.status, parts.tare, parts.outcome, parts.episode}) {
     if (!topic.empty()) wanted.push_back(topic);
   }
-  Reading reading(parts, options);
+  if (options.source.adapter.from_torques) wanted.push_back(options.source.joint_states);
   BagContents contents;
   try {
+    Reading reading(parts, options);
     rosbag::View view(bag, rosbag::TopicQuery(wanted));
     const double total = view.size();
     double taken = 0.0;
@@ -237,22 +257,26 @@ BagContents ReadEpisodes(const std::string& path, const BagReaderOptions& option
     throw std::runtime_error(path + ": expected at least one episode, but " +
                              WhyNoEpisode(options, parts, contents.stream));
   }
+  contents.preparation = PreparationOf(contents, parts, options);
   if (progress) progress(1.0);
   return contents;
 }
 
 std::vector<core::Episode> ReadAllEpisodes(const std::vector<std::string>& paths, const BagReaderOptions& options,
-                                           const ReadProgress& progress) {
+                                           const ReadProgress& progress, core::Preparation* preparation) {
   if (paths.empty()) throw std::runtime_error("expected at least one bag, but none was given");
   std::vector<core::Episode> episodes;
+  core::Preparation common;
   for (std::size_t index = 0; index < paths.size(); ++index) {
     const auto part = [&](double done) {
       if (progress) progress((static_cast<double>(index) + done) / static_cast<double>(paths.size()));
     };
-    for (core::Episode& episode : ReadEpisodes(paths[index], options, part).episodes) {
-      episodes.push_back(std::move(episode));
-    }
+    BagContents contents = ReadEpisodes(paths[index], options, part);
+    common = index == 0 ? contents.preparation : core::InCommon(common, contents.preparation);
+    std::move(contents.episodes.begin(), contents.episodes.end(), std::back_inserter(episodes));
   }
+  common.SetRanges(episodes);
+  if (preparation != nullptr) *preparation = common;
   return episodes;
 }
 

@@ -31,14 +31,31 @@ void Write(const std::string& path, const core::Model& model) {
   file.Finish();
 }
 
-/// \throws std::runtime_error if the message states an array that is longer than the message.
-void CheckLengths(const rosbag::MessageInstance& instance) {
-  std::vector<std::uint8_t> bytes(instance.size());
-  ros::serialization::OStream stream(bytes.data(), instance.size());
-  instance.write(stream);
+/// MD5 of the message before it had a preparation. Its fields come first in the message of today.
+constexpr char kFirstVersion[] = "4a3b71522a44f33cc756b9ccf6c0fec6";
+/// [bytes] More than the fields added since take if they are empty.
+constexpr std::size_t kAddedFields = 1024;
+
+/// Reads a message of this version or of the first. The fields that the first lacks are zero or empty, which is how
+/// they are serialised as zero bytes. \throws std::exception if the message is of another version or states an array
+/// that is longer than the message.
+ShapeletModel ReadMessage(const rosbag::MessageInstance& instance) {
+  const std::string version = instance.getMD5Sum();
+  const bool first = version == kFirstVersion;
+  if (!first && version != ros::message_traits::md5sum<ShapeletModel>()) {
+    throw std::invalid_argument("its message is of another version (MD5 " + version + ", expected " +
+                                ros::message_traits::md5sum<ShapeletModel>() + ")");
+  }
+  std::vector<std::uint8_t> bytes(instance.size() + (first ? kAddedFields : 0));
+  ros::serialization::OStream output(bytes.data(), instance.size());
+  instance.write(output);
   const MessageDefinition definition(ros::message_traits::datatype<ShapeletModel>(),
                                      ros::message_traits::definition<ShapeletModel>());
   definition.CheckLengths(bytes.data(), bytes.size());
+  ros::serialization::IStream input(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ShapeletModel message;
+  ros::serialization::deserialize(input, message);
+  return message;
 }
 
 }  // namespace
@@ -60,12 +77,7 @@ core::Model LoadModel(const std::string& path) {
     rosbag::View view(bag, rosbag::TypeQuery("contact_shapelets/ShapeletModel"));
     if (view.size() != 1) throw std::invalid_argument("it holds " + std::to_string(view.size()) + " of them");
     const rosbag::MessageInstance instance = *view.begin();
-    if (instance.getMD5Sum() != ros::message_traits::md5sum<ShapeletModel>()) {
-      throw std::invalid_argument("its message is of another version (MD5 " + instance.getMD5Sum() + ", expected " +
-                                  ros::message_traits::md5sum<ShapeletModel>() + ")");
-    }
-    CheckLengths(instance);
-    return FromMessage(*instance.instantiate<ShapeletModel>());
+    return FromMessage(ReadMessage(instance));
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": expected a bag with one contact_shapelets/ShapeletModel, but " +
                              OneLine(error.what()));

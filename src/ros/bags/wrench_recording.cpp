@@ -11,6 +11,7 @@
 #include "core/stream/resampler.h"
 #include "ros/bags/bag_damage.h"
 #include "ros/bags/bag_topics.h"
+#include "ros/bags/wrench_messages.h"
 #include "ros/messages/conversions.h"
 
 namespace contact_shapelets {
@@ -18,11 +19,15 @@ namespace {
 
 constexpr double kMostPeriods = 1e8;
 
-std::vector<core::WrenchSample> ReadSamples(const rosbag::Bag& bag, const std::string& topic) {
+std::vector<core::WrenchSample> ReadSamples(const rosbag::Bag& bag, const std::string& topic,
+                                            const WrenchSource& source) {
   std::vector<core::WrenchSample> samples;
-  rosbag::View view(bag, rosbag::TopicQuery(topic));
+  WrenchMessages wrenches(topic, source);
+  std::vector<std::string> topics{topic};
+  if (!wrenches.joint_states().empty()) topics.push_back(wrenches.joint_states());
+  rosbag::View view(bag, rosbag::TopicQuery(topics));
   for (const rosbag::MessageInstance& message : view) {
-    const auto wrench = message.instantiate<geometry_msgs::WrenchStamped>();
+    const auto wrench = wrenches.Read(message);
     if (!wrench) continue;
     core::WrenchSample sample;
     const core::Nanoseconds stamp = ToNanoseconds(wrench->header.stamp);
@@ -31,12 +36,14 @@ std::vector<core::WrenchSample> ReadSamples(const rosbag::Bag& bag, const std::s
     const bool later = samples.empty() || sample.time > samples.back().time;
     if (later && sample.force.norm() <= core::kGreatestForce) samples.push_back(sample);
   }
+  if (samples.empty() && !wrenches.fault().empty()) throw std::runtime_error(wrenches.fault());
   return samples;
 }
 
 }  // namespace
 
-WrenchRecording ReadWrenchRecording(const std::string& path, const std::string& wrench_topic, double sample_period) {
+WrenchRecording ReadWrenchRecording(const std::string& path, const std::string& wrench_topic, double sample_period,
+                                    const WrenchSource& source) {
   BagDamage damage(path);
   rosbag::Bag bag;
   OpenBag(path, &bag);
@@ -44,9 +51,11 @@ WrenchRecording ReadWrenchRecording(const std::string& path, const std::string& 
   recording.topic = WrenchTopicOf(path, BagTopics(bag), wrench_topic);
   std::vector<core::WrenchSample> samples;
   try {
-    samples = ReadSamples(bag, recording.topic);
+    samples = ReadSamples(bag, recording.topic, source);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error(path + ": expected a whole bag, but it is damaged: " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path + ": " + error.what());
   }
   if (samples.size() < 2) {
     throw std::runtime_error(path + ": expected at least 2 usable samples on " + recording.topic + ", but found " +

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "contact_shapelets/core/time.h"
+#include "contact_shapelets/ros/wrench_source.h"
 
 /// \file
 /// The whole wrench of a bag as one series, without episodes.
@@ -19,11 +20,13 @@ struct WrenchRecording {
 };
 
 /// Reads the WrenchStamped topic of the bag `path` and resamples the magnitude of its force to `sample_period` [s].
-/// `wrench_topic` names the topic; if it is empty, the bag must have only one. Leaves out samples that are not finite,
+/// `wrench_topic` names the topic, which may be of another type that `source` describes; if it is empty, the bag must
+/// have only one. Leaves out samples that are not finite,
 /// above core::kGreatestForce, or not after the sample before. Gaps are interpolated.
 /// \throws std::runtime_error in one line that names the bag: it cannot be read, the topic is missing or one of
 /// several,
 ///   or it holds fewer than 2 samples or more than 1e8 sample periods.
-WrenchRecording ReadWrenchRecording(const std::string& path, const std::string& wrench_topic, double sample_period);
+WrenchRecording ReadWrenchRecording(const std::string& path, const std::string& wrench_topic, double sample_period,
+                                    const WrenchSource& source = {});
 
 }  // namespace contact_shapelets

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ros/messages/preparation_message.h"
+
 namespace contact_shapelets {
 namespace {
 
@@ -122,6 +124,7 @@ core::Model FromMessage(const ShapeletModel& message) {
                       static_cast<int>(message.training_episodes),
                       message.typical_duration,
                       ToNanoseconds(message.header.stamp)};
+  model.preparation = FromMessage(message.preparation);
   const std::string faults = model.Faults();
   if (!faults.empty()) throw std::invalid_argument("the model cannot be used: " + faults);
   return model;
@@ -156,6 +159,7 @@ ShapeletModel ToMessage(const core::Model& model) {
   message.seed = model.provenance.seed;
   message.training_episodes = static_cast<std::uint32_t>(model.provenance.training_episodes);
   message.typical_duration = model.provenance.typical_duration;
+  message.preparation = ToMessage(model.preparation);
   return message;
 }
 

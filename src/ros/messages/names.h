@@ -68,6 +68,7 @@ constexpr char kContactHoldOn[] = "contact_hold_on";
 constexpr char kContactHoldOff[] = "contact_hold_off";
 constexpr char kPreTrigger[] = "pre_trigger";
 constexpr char kBaselineDuration[] = "baseline_duration";
+constexpr char kPreparation[] = "preparation";
 constexpr char kProgressRate[] = "progress_rate";
 constexpr char kClusters[] = "clusters";
 constexpr char kKmeansRestarts[] = "kmeans_restarts";

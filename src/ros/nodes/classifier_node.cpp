@@ -162,6 +162,12 @@ void ClassifierNode::Diagnose(const Episode& message, bool final) {
     event_publisher_.publish(event);
     features_publisher_.publish(FeaturesMessage(episode, model, result.features));
     ++diagnosed_;
+    const std::string far = model.preparation.FarFrom(episode, model.sample_period);
+    if (!far.empty()) {
+      ++far_;
+      ROS_WARN_THROTTLE(10.0, "Episode %s is far from all that the model was trained on: %s", episode.id.c_str(),
+                        far.c_str());
+    }
     episode_fault_.clear();
     WatchForChange(episode, result.diagnosis);
   } catch (const std::exception& error) {
@@ -224,6 +230,7 @@ void ClassifierNode::Report(diagnostic_updater::DiagnosticStatusWrapper& status)
   }
   status.add("episodes diagnosed", diagnosed_);
   status.add("episodes refused", refused_);
+  status.add("episodes far from the training", far_);
 }
 
 }  // namespace contact_shapelets

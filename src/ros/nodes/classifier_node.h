@@ -52,6 +52,7 @@ class ClassifierNode {
   std::string episode_fault_;       ///< why the node refused the last episode; empty if it did not
   int diagnosed_ = 0;
   int refused_ = 0;
+  int far_ = 0;  ///< number of diagnosed episodes that are far from all of the training
 
   ros::Publisher features_publisher_;
   ros::Publisher diagnosis_publisher_;

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "contact_shapelets/ros/model_bag.h"
 #include "ros/messages/action_edges.h"
 #include "ros/messages/conversions.h"
 #include "ros/messages/missing_input.h"
@@ -29,6 +30,23 @@ constexpr std::size_t kRecent = 10;
 ClockReading ReadClocks() {
   const std::uint64_t steady = ros::SteadyTime::now().toNSec();
   return {ToNanoseconds(ros::Time::now()), static_cast<core::Nanoseconds>(steady)};
+}
+
+/// Returns how the training episodes of the model file `path` were cut; the defaults if that is not known.
+core::SegmentationOptions SegmentationOf(const std::string& path) {
+  if (path.empty()) return {};
+  try {
+    const auto segmentation = LoadModel(AbsolutePath(path)).preparation.segmentation;
+    if (segmentation) {
+      ROS_INFO("Cutting episodes as for the model %s: segmentation %s, tare %s", path.c_str(),
+               core::NameOf(segmentation->segmentation).c_str(), core::NameOf(segmentation->tare).c_str());
+      return *segmentation;
+    }
+    ROS_INFO("%s does not say how its episodes were cut; the defaults count", path.c_str());
+  } catch (const std::exception& error) {
+    ROS_WARN("The defaults say how to cut episodes, because the model cannot be read: %s", error.what());
+  }
+  return {};
 }
 
 /// Returns the topics of the wrench's type that nodes publish.
@@ -58,7 +76,9 @@ EpisodeNode::EpisodeNode(const ros::NodeHandle& node_handle, const ros::NodeHand
 
 void EpisodeNode::ReadParameters() {
   ParameterReader reader(private_node_handle_);
-  options_ = ReadEpisodeOptions(&reader);
+  std::string model;
+  reader.Read(parameters::kPreparation, &model);
+  options_ = ReadEpisodeOptions(&reader, SegmentationOf(model));
   reader.Skip(kTareParameter);
   LogParameters(reader);
   parameter_faults_ = OneLine(reader.Faults());

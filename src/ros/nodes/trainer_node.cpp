@@ -131,9 +131,9 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
   const std::string output = AbsolutePath(task.output);
   CheckModelOutput("output", output, bags);
   SetState(DiagnosticStatus::OK, "training");
-  std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, [&go_on](double done) {
-    go_on({0, 0, 0.0, kReadingPart * done});
-  });
+  core::Preparation preparation;
+  const auto on_read = [&go_on](double done) { go_on({0, 0, 0.0, kReadingPart * done}); };
+  std::vector<core::Episode> episodes = ReadAllEpisodes(bags, reader_options_, on_read, &preparation);
 
   const int incomplete = core::TakeIncomplete(options_, &episodes);
   result->incomplete = static_cast<std::uint32_t>(incomplete);
@@ -151,6 +151,8 @@ void TrainerNode::TrainAndSave(const Task& task, const core::ProgressCallback& p
   go_on(last);
   training.model.provenance.sources = bags;
   training.model.provenance.trained = WallNow();
+  preparation.SetRanges(episodes);
+  training.model.preparation = preparation;
   SaveModel(output, training.model);
   model_publisher_.publish(ToMessage(training.model));
   result->model_id = training.model.id;

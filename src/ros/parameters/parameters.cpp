@@ -183,8 +183,8 @@ std::string ClassifierOptions::Faults() const {
   return faults.str();
 }
 
-core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
-  core::SegmentationOptions options;
+core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader, const core::SegmentationOptions& defaults) {
+  core::SegmentationOptions options = defaults;
   reader->Read(parameters::kSegmentation, kSegmentations, &options.segmentation);
   reader->Read(parameters::kTare, kTareSources, &options.tare);
   reader->Read(parameters::kSamplePeriod, &options.sample_period);
@@ -205,9 +205,9 @@ core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader) {
   return options;
 }
 
-EpisodeOptions ReadEpisodeOptions(ParameterReader* reader) {
+EpisodeOptions ReadEpisodeOptions(ParameterReader* reader, const core::SegmentationOptions& defaults) {
   EpisodeOptions options;
-  options.segmentation = ReadSegmentationOptions(reader);
+  options.segmentation = ReadSegmentationOptions(reader, defaults);
   reader->Read(parameters::kProgressRate, &options.progress_rate);
   std::ostringstream faults;
   core::CheckRange("progress_rate", options.progress_rate, {0, 100}, &faults, " Hz");

@@ -11,7 +11,7 @@
 
 #include "contact_shapelets/core/segmentation_options.h"
 #include "contact_shapelets/core/trainer.h"
-#include "ros/adapters/wrench_adapter_options.h"
+#include "contact_shapelets/ros/wrench_source.h"
 
 /// \file
 /// Reads options from the parameter server or from YAML files, with the same code.
@@ -87,10 +87,11 @@ struct ClassifierOptions {
   std::string Faults() const;
 };
 
-/// Reads the parameters of the segmentation. Adds faults to `reader`.
-core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader);
+/// Reads the parameters of the segmentation; those that are not set are as in `defaults`. Adds faults to `reader`.
+core::SegmentationOptions ReadSegmentationOptions(ParameterReader* reader,
+                                                  const core::SegmentationOptions& defaults = {});
 /// Reads the parameters of the episode node, with those of the segmentation. Adds faults to `reader`.
-EpisodeOptions ReadEpisodeOptions(ParameterReader* reader);
+EpisodeOptions ReadEpisodeOptions(ParameterReader* reader, const core::SegmentationOptions& defaults = {});
 /// Reads the parameters of the trainer. Adds faults to `reader`.
 core::TrainerOptions ReadTrainerOptions(ParameterReader* reader);
 /// Reads the parameters of the classifier node. Adds faults to `reader`.

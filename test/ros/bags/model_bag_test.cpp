@@ -74,6 +74,51 @@ TEST_F(ModelBagTest, ASavedModelIsLoadedToTheLastBit) {
   EXPECT_EQ(loaded.provenance.trained, model.provenance.trained);
 }
 
+TEST_F(ModelBagTest, KeepsThePreparation) {
+  core::Model model = Trained();
+  core::Preparation& preparation = model.preparation;
+  preparation.segmentation.emplace().segmentation = core::SegmentationMode::kContact;
+  preparation.segmentation->tare = core::TareSource::kFreeAir;
+  preparation.segmentation->contact_on = 6.5;
+  preparation.segmentation->baseline_duration = 2.5;
+  preparation.topic = "/iiwa/wrench";
+  preparation.frame_id = "flange";
+  preparation.rate = 125.0;
+  preparation.least_duration = 1.5;
+  preparation.greatest_duration = 2.5;
+  preparation.least_peak = 9.0;
+  preparation.greatest_peak = 21.0;
+  SaveModel(Path("model.bag"), model);
+  const core::Preparation loaded = LoadModel(Path("model.bag")).preparation;
+  ASSERT_TRUE(loaded.segmentation);
+  EXPECT_EQ(core::DifferencesOf(*loaded.segmentation, *preparation.segmentation), "");
+  EXPECT_EQ(loaded.segmentation->sample_period, preparation.segmentation->sample_period);
+  EXPECT_EQ(loaded.topic, preparation.topic);
+  EXPECT_EQ(loaded.frame_id, preparation.frame_id);
+  EXPECT_EQ(loaded.rate, preparation.rate);
+  EXPECT_EQ(loaded.least_duration, preparation.least_duration);
+  EXPECT_EQ(loaded.greatest_duration, preparation.greatest_duration);
+  EXPECT_EQ(loaded.least_peak, preparation.least_peak);
+  EXPECT_EQ(loaded.greatest_peak, preparation.greatest_peak);
+}
+
+TEST_F(ModelBagTest, ReadsAModelOfTheFirstVersionWithoutAPreparation) {
+  const ShapeletModel message = ToMessage(Trained());
+  const std::uint32_t added = ros::serialization::serializationLength(message.preparation);
+  std::vector<std::uint8_t> bytes(ros::serialization::serializationLength(message));
+  ros::serialization::OStream output(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(output, message);
+  topic_tools::ShapeShifter shape;
+  shape.morph("4a3b71522a44f33cc756b9ccf6c0fec6", "contact_shapelets/ShapeletModel", "uint32 format_version\n", "");
+  ros::serialization::IStream input(bytes.data(), static_cast<std::uint32_t>(bytes.size()) - added);
+  shape.read(input);
+  rosbag::Bag(Path("model.bag"), rosbag::bagmode::Write).write("model", ros::Time(1.0), shape);
+  const core::Model loaded = LoadModel(Path("model.bag"));
+  EXPECT_EQ(loaded.provenance.typical_duration, 2.17);
+  EXPECT_EQ(loaded.clusters.size(), 2U);
+  EXPECT_FALSE(loaded.preparation.segmentation);
+}
+
 TEST_F(ModelBagTest, IsABagWithOneModelOnItsTopic) {
   SaveModel(Path("model.bag"), Trained());
   rosbag::Bag bag(Path("model.bag"));

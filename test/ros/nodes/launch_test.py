@@ -143,6 +143,15 @@ class LaunchFiles(unittest.TestCase):
         self.assertEqual(plain["/episode_node/contact_on"].value, 12.0)
         self.assertEqual(told["/episode_node/segmentation"].value, "action")
 
+    def test_episodes_are_cut_as_for_the_model_unless_a_config_is_given(self):
+        path = ROOT / "launch/diagnose.launch"
+        plain = load(path, ["model:=/data/switch.bag"]).params
+        self.assertEqual(plain["/episode_node/preparation"].value, "/data/switch.bag")
+        self.assertNotIn("/episode_node/segmentation", plain)
+        told = load(path, ["model:=/data/switch.bag", f"config:={ROOT}/config/episode.yaml"]).params
+        self.assertNotIn("/episode_node/preparation", told)
+        self.assertEqual(told["/episode_node/segmentation"].value, "trigger")
+
     def test_recorded_pushes_are_diagnosed_without_further_subscribers(self):
         events = []
         subscriber = rospy.Subscriber("/event", rospy.AnyMsg, events.append)

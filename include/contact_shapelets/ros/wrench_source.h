@@ -2,6 +2,9 @@
 
 #include <string>
 
+/// \file
+/// Where the wrench comes from, if a driver does not publish it as geometry_msgs/WrenchStamped.
+
 namespace contact_shapelets {
 
 /// What a driver's messages hold, and in which field.
@@ -15,6 +18,13 @@ struct WrenchAdapterOptions {
 
   /// Returns one line for each option that is out of range; an empty string if all are valid.
   std::string Faults() const;
+};
+
+/// The same for a bag, which has no parameter server.
+struct WrenchSource {
+  WrenchAdapterOptions adapter;                ///< how to convert the messages of the wrench's topic
+  std::string urdf;                            ///< for torques: the text of the robot's description
+  std::string joint_states = "/joint_states";  ///< for torques: the topic of the joints' positions
 };
 
 }  // namespace contact_shapelets
