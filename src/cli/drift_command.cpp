@@ -48,8 +48,8 @@ void FindDrift(const Arguments& arguments) {
   read.push_back(arguments.model);
   if (!arguments.csv.empty()) CheckTextOutput("--csv", arguments.csv, read);
   const core::Classifier classifier(LoadModel(arguments.model));
-  if (arguments.bags.configs.empty()) options.reader.segmentation.sample_period = classifier.model().sample_period;
-  std::vector<core::Episode> episodes = ReadBags(arguments.bags.bags, options.reader);
+  FollowPreparation(classifier.model(), arguments.bags, &options);
+  std::vector<core::Episode> episodes = ReadBags(arguments.bags, options.reader);
   std::stable_sort(episodes.begin(), episodes.end(),
                    [](const core::Episode& first, const core::Episode& second) { return first.start < second.start; });
   const std::vector<core::Classification> results = ClassifyAll(classifier, episodes, options.trainer.threads);
