@@ -135,7 +135,7 @@ struct Table {
 std::vector<Table> Tables() {
   return {
       {"trainer_node", "config/trainer.yaml", [](ParameterReader* reader) { ReadTrainerOptions(reader); }, 19},
-      {"classifier_node", "config/classifier.yaml", [](ParameterReader* reader) { ReadClassifierOptions(reader); }, 1},
+      {"classifier_node", "config/classifier.yaml", [](ParameterReader* reader) { ReadClassifierOptions(reader); }, 3},
       {"wrench_adapter_node", "", [](ParameterReader* reader) { ReadAdapterOptions(reader); }, 1}};
 }
 
