@@ -189,7 +189,7 @@ TEST_F(OutputsTest, PaperYamlTrainsThePapersSetUp) {
   EXPECT_EQ(model.log_offset, 0.0);
   EXPECT_EQ(model.flat_fraction, 0.0);
   // The evaluation's nn_stne_paper trains by the same options.
-  const std::vector<core::Episode> episodes = ReadEpisodes(bag, BagReaderOptions{}).episodes;
+  const std::vector<core::Episode> episodes = ReadEpisodes(bag, BagReaderOptions()).episodes;
   EXPECT_EQ(model.id, core::TrainModel(episodes, core::PaperOptions()).model.id);
 }
 
